@@ -43,15 +43,21 @@ def parse():
     parser.add_argument("--ups", default="build/release/bin/ups", help="the program")
     parser.add_argument("--seconds", type=float, help=f"the longest render but the references' ({FULL['seconds']:g})")
     parser.add_argument("--fast", action="store_true", help="a minute: short renders, three methods, two values of each knob")
+    parser.add_argument("--light-paths", type=int,
+                        help=f"of an iteration, but where a knob says so ({FAST['light_paths']} with --fast)")
     parser.add_argument("--out", default="out/accuracy")
     arguments = parser.parse_args()
     if arguments.seconds is not None and not 0.1 <= arguments.seconds <= 1e5:
         parser.error(f"--seconds {arguments.seconds:g}: a number of seconds from 0.1 to 100000 is wanted")
+    if arguments.light_paths is not None and arguments.light_paths < 1:
+        parser.error(f"--light-paths {arguments.light_paths}: a number from 1 on is wanted")
     if not os.access(arguments.ups, os.X_OK):
         parser.error(f"--ups {arguments.ups}: no such program; `samples/accuracy/run.sh` builds it")
     size = dict(FAST if arguments.fast else FULL)
     if arguments.seconds is not None:
         size["seconds"] = arguments.seconds
+    if arguments.light_paths is not None:
+        size["light_paths"] = arguments.light_paths
     return measure.Settings(os.path.abspath(arguments.ups), arguments.out, **size)
 
 

@@ -106,13 +106,16 @@ double ProfileOpeningEmitter::brightest_cd_m2() const {
   return most;
 }
 
-// A sheet on a wall shines away from it; one on a ceiling, which may light the ceiling more, hangs below it.
+// A sheet on a wall or a floor shines away from it; one on a ceiling, which may light the ceiling more, hangs below it.
 Vec3 ProfileOpeningEmitter::brighter_side() const {
   const Vec3 nadir = -profile_.frame().n;
-  if (!body_.is_flat() || frame_.n.x * nadir.x + frame_.n.y * nadir.y + frame_.n.z * nadir.z < -0.5f) return nadir;
-  int balance = 0;
-  for_typical_directions([&](const Vec3& direction, float) { balance += dot(direction, frame_.n) > 0 ? 1 : -1; });
-  return balance >= 0 ? frame_.n : -frame_.n;
+  if (!body_.is_flat()) return nadir;
+  int front = 0, all = 0;
+  for_typical_directions([&](const Vec3& direction, float) { front += dot(direction, frame_.n) > 0, ++all; });
+  constexpr double least_upwards = 0.9;  // of what lies on a floor
+  const bool level = dot(frame_.n, nadir) < -0.5f;
+  const double share = all > 0 ? double(front) / all : 0;
+  return share >= (level ? least_upwards : 0.5) ? frame_.n : -frame_.n;
 }
 
 // Per area and solid angle a direction w has the density pdf_w(w) cos / projected area: exactly the profile's

@@ -102,6 +102,8 @@ class Builder {
   // What is known of the source that was begun last; null: it was not there, or stood elsewhere.
   const EmitterProbe* known_probe(const SourceDescription& source) const;
   EmitterProbe probe_of(const SourceDescription& source, const std::function<EmitterProbe()>& find);
+  using PlacedEmitter = std::function<std::unique_ptr<Emitter>(const Vec3& p, const Rgb& scale)>;
+  EmitterProbe place_probe(const SourceDescription& source, const Vec3& p, const PlacedEmitter& make_at);
   void find_exposed();
   void find_concentration();
   void add_sensors();

@@ -47,14 +47,14 @@ void TouchableParts::near(Box box, std::vector<ContactPart>& out) const {
 
 void TouchableParts::trace(const std::vector<const Contact*>& contacts,
                            const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                           const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool) {
+                           const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, Monitor& monitor) {
   std::set<std::shared_ptr<const void>> wanted;
   for (const Contact* c : contacts)
     for (size_t i = 1; i < c->between.size(); ++i) wanted.insert(c->between[i].shape);
   traced_.clear();
   for (const Part& part : parts_)
     if (wanted.count(part.what.shape) > 0) traced_.push_back(part.instance);
-  raytracer_ = std::make_unique<const Raytracer>(meshes, traced_, texturing, pool, true);
+  raytracer_ = std::make_unique<const Raytracer>(meshes, traced_, texturing, pool, true, nullptr, &monitor);
 }
 
 const TouchableParts::Part* TouchableParts::part_of(uint32_t number) const {

@@ -5,6 +5,7 @@
 #pragma once
 #include <vector>
 
+#include "base/monitor.h"
 #include "emitter/emitter.h"
 #include "scene/media.h"
 
@@ -62,7 +63,8 @@ class TouchableParts {
   // For rays against those that one of `contacts` may touch, and against all others of the same meshes, so that rounding
   // is as it will be in the scene. The lists are those of the scene.
   void trace(const std::vector<const Contact*>& contacts, const std::vector<std::shared_ptr<const Mesh>>& meshes,
-             const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool);
+             const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, Monitor& monitor);
+  void forget_trace() { raytracer_.reset(); }
   void search(const std::vector<EmittingPoint>& points, Contact& out) const;
   // Is something else between an emitter that is set back and where it was?
   bool is_blocked(const std::vector<EmittingPoint>& points, const Contact& contact, const Raytracer& all,

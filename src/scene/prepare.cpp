@@ -23,7 +23,6 @@ std::shared_ptr<const Snapshot> Builder::build() {
   list_surfaces();
   place();
   add_materials();
-  monitor_.begin_part(0.6f);
   add_geometry();
   monitor_.begin_part(0.7f);
   add_emissive_instances();

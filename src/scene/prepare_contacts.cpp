@@ -118,8 +118,13 @@ TouchableParts Builder::find_contacts() {
       unknown.push_back(&contact);
   }
   if (unknown.empty()) return touchable;
-  touchable.trace({unknown.begin(), unknown.end()}, out_->meshes, out_->texturing, threads_);
-  parallel_for(threads_, unknown.size(), [&](size_t i) { touchable.search(points_of(*unknown[i]), *unknown[i]); });
+  monitor_.begin_part(0.2f);
+  touchable.trace({unknown.begin(), unknown.end()}, out_->meshes, out_->texturing, threads_, monitor_);
+  parallel_for(threads_, unknown.size(), [&](size_t i) {
+    monitor_.check();
+    touchable.search(points_of(*unknown[i]), *unknown[i]);
+  });
+  touchable.forget_trace();  // what is built next has the whole of the memory's limit, too
   new_contacts_ = std::any_of(unknown.begin(), unknown.end(), [](const Contact* c) { return c->is_to_move(); });
   return touchable;
 }

@@ -183,6 +183,9 @@ void Builder::add_emissive_instances() {
     in_context(name, [&] {
       if (!add_emitter(name, emitter, unit, s.ray_origin(s.ng), probe))
         return warn_of(out_->sources.back(), "a luminance but no area: nothing is emitted");
+      if (both_sides && lies_in_another(*out_, *emitter, i))
+        warn_of(out_->sources.back(), "it emits to both sides, and lies in the plane of another surface, which some of the "
+                                      "rays to it meet first: part of its light is lost; move it off that surface");
       contact_of_source();
       out_->emitter_of_instance[i] = index;
       ++out_->emissive_instance_count;
@@ -220,6 +223,22 @@ EmitterProbe Builder::probe_of(const SourceDescription& source, const std::funct
   return known ? *known : find();
 }
 
+// Of a source without extent at p.
+EmitterProbe Builder::place_probe(const SourceDescription& source, const Vec3& p, const PlacedEmitter& make_at) {
+  const EmitterProbe probe = probe_of(source, [&] {
+    const SourcePlace found = off_surfaces(*out_, p, *make_at(p, Rgb(1)));
+    EmitterProbe out;
+    out.place = found.p, out.into_surface = found.into_surface;
+    return out;
+  });
+  constexpr float told = 0.1f;  // less is what a luminaire on a ceiling sends upwards
+  if (probe.into_surface > told)
+    warn_of(out_->sources.back(), "it lies on a surface, into which goes " +
+                                      std::to_string(std::lround(100 * probe.into_surface)) +
+                                      " % of its light: move it off the surface");
+  return probe;
+}
+
 // Of those for which it makes a difference. Where every surface that light meets has a lobe that next-event estimation
 // can pick it up from, it is all of it.
 void Builder::find_exposed() {
@@ -244,23 +263,19 @@ void Builder::add_light(const std::string& name, const LightDescription& light, 
   const Rgb intensity = light.intensity * source.dimming;
   if (is_black(intensity)) return;
   const Vec3 axis = -Axes(light.to_world).frame().n;
-  const EmitterProbe probe = probe_of(source, [&] {
-    EmitterProbe found;
-    found.place = light.kind == UPS_LIGHT_DIRECTIONAL  // which has none, wherever it says it is
-                      ? Vec3()
-                      : off_surface(*out_, to_scene(light.to_world.column(3)), axis);
-    return found;
-  });
-  const Vec3 p = probe.place;
   // Light paths start on a disc that covers the scene, and those of meters' discs that reach beyond it.
   const float radius = out_->radius > 0 ? out_->radius * (1 + largest_meter_disc) : 1.0f;
-  const auto make = [=, centre = out_->centre](const Rgb& of) -> std::unique_ptr<Emitter> {
+  const auto make_at = [=, centre = out_->centre](const Vec3& p, const Rgb& of) -> std::unique_ptr<Emitter> {
     if (light.kind == UPS_LIGHT_POINT) return std::make_unique<PointEmitter>(p, of, free_error(p));
     if (light.kind == UPS_LIGHT_SPOT)
       return std::make_unique<SpotEmitter>(p, axis, of, light.inner_cone_rad, light.outer_cone_rad, free_error(p));
     return std::make_unique<DirectionalEmitter>(axis, of, radius, centre);
   };
-  const Vec3 front = light.kind == UPS_LIGHT_DIRECTIONAL ? out_->centre - axis * out_->radius : p;
+  const EmitterProbe probe = light.kind == UPS_LIGHT_DIRECTIONAL  // which has no place, wherever it says it is
+                                 ? probe_of(source, [] { return EmitterProbe(); })
+                                 : place_probe(source, to_scene(light.to_world.column(3)), make_at);
+  const auto make = [=, p = probe.place](const Rgb& of) { return make_at(p, of); };
+  const Vec3 front = light.kind == UPS_LIGHT_DIRECTIONAL ? out_->centre - axis * out_->radius : probe.place;
   add_emitter(name, make(intensity), [make] { return make(Rgb(1)); }, front, probe);
 }
 
@@ -292,16 +307,12 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   if (!luminaire.use_opening || !has_area) {
     if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
       warn_of(out_->sources.back(), "the opening has a single extent, so no area: light comes from a point");
-    const EmitterProbe probe = probe_of(source, [&] {
-      EmitterProbe found;
-      found.place = off_surface(*out_, p, nadir);
-      return found;
-    });
-    const Vec3 q = probe.place;
-    const auto make = [=](const Rgb& of) {
-      return std::make_unique<ProfilePointEmitter>(distribution, frame, q, of, free_error(q));
+    const auto make_at = [=](const Vec3& at, const Rgb& of) {
+      return std::make_unique<ProfilePointEmitter>(distribution, frame, at, of, free_error(at));
     };
-    add_emitter(name, make(scale), [make] { return make(Rgb(1)); }, q, probe, size);
+    const EmitterProbe probe = place_probe(source, p, make_at);
+    const auto make = [=, q = probe.place](const Rgb& of) { return make_at(q, of); };
+    add_emitter(name, make(scale), [make] { return make(Rgb(1)); }, probe.place, probe, size);
     return;
   }
   const EmitterProbe probe = probe_of(source, [&] {

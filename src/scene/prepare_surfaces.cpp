@@ -177,6 +177,7 @@ void Builder::add_geometry() {
       lift_flat_emitter(*out_->meshes[i.mesh], rounding_of_places(), i.to_scene);
   }
   const TouchableParts touchable = find_contacts();
+  monitor_.begin_part(0.6f);
   set_back_emitters();
   // Whatever is known of their room already: a build without `earlier` knows nothing.
   const auto to_move = [](const auto& c) { return c.second.is_to_move(); };

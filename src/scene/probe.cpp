@@ -48,20 +48,79 @@ Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame) {
 
 namespace {
 
-// A solid of glass that light towards n would enter: what lies on it is outside.
-bool lies_on_glass(const Snapshot& scene, const Vec3& p, const Vec3& n, float error) {
-  Hit hit;
-  if (!scene.raytracer->intersect(p - n * (2 * error), n, 4 * error, hit)) return false;
-  const SurfacePoint s = scene.raytracer->surface_at(hit);
-  return scene.materials[s.material].model == MaterialModel::glass && dot(s.ng, n) < 0;
+// Of a source's light: what leaves to one side of a plane through it, and what of that meets something.
+struct SideLight {
+  double flux = 0, met = 0;
+};
+
+void look_to_sides(const Snapshot& scene, const Emitter& emitter, const Vec3& p, const Vec3& n, float lift,
+                   SideLight (&sides)[2]) {
+  constexpr uint32_t count = 256;
+  for (uint32_t i = 0; i < count; ++i) {
+    const auto u = philox({i, 4, 0, 0}, {0, 0});
+    EmissionSample s;
+    if (!emitter.sample_emission({0.5f, 0.5f}, {(float(i) + 0.5f) / count, to_unit_float(u[0])}, s)) continue;
+    const bool behind = dot(s.direction, n) < 0;
+    const double flux = double(luminance(s.flux));
+    sides[behind].flux += flux;
+    Hit hit;
+    if (intersect_beyond_panes(scene, p + n * (behind ? -lift : lift), s.direction, hit)) sides[behind].met += flux;
+  }
+}
+
+// What lies on glass is outside. Else most of the light decides, and where it goes both ways alike, what it meets: a
+// lamp on a floor lights the room, not what is below. Of rooms on both sides that of the front is meant.
+bool is_behind(const SideLight (&sides)[2], bool glass) {
+  constexpr double more = 1.25;
+  if (glass) return false;
+  if (sides[0].flux > more * sides[1].flux || sides[1].flux > more * sides[0].flux)
+    return sides[1].flux > sides[0].flux;
+  return sides[1].met > more * sides[0].met;
 }
 
 }  // namespace
 
-Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n) {
-  const float error = error_at(scene, p, n);
-  if (!(error > free_error(p))) return p;
-  return p + n * (lies_on_glass(scene, p, n, error) ? -2 * error : 2 * error);
+SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& emitter) {
+  const float reach = 0x1p-17f * scene.radius, own = free_error(p);
+  SourcePlace out{p, 0};
+  constexpr int lines = 6, passes = 2;  // a surface is crossed by two of three lines at least; one may hide another
+  for (int k = 0; k < lines * passes && reach > 0; ++k) {
+    const float sign = k % 2 == 0 ? 1.0f : -1.0f;
+    const Vec3 u(k / 2 % 3 == 0 ? sign : 0, k / 2 % 3 == 1 ? sign : 0, k / 2 % 3 == 2 ? sign : 0);
+    Hit hit;
+    if (!scene.raytracer->intersect(out.p - u * reach, u, 2 * reach, hit)) continue;
+    const SurfacePoint s = scene.raytracer->surface_at(hit);
+    const float height = dot(out.p - s.p, s.ng), rounding = own + s.error;
+    if (!(std::abs(height) < 2 * rounding)) continue;
+    SideLight sides[2];
+    look_to_sides(scene, emitter, out.p - s.ng * height, s.ng, 2 * rounding, sides);
+    const Material& material = scene.materials[s.material];
+    const bool glass = material.model == MaterialModel::glass, behind = is_behind(sides, glass);
+    out.p = out.p + s.ng * ((behind ? -2 : 2) * rounding - height);
+    const double all = sides[0].flux + sides[1].flux;
+    if (all > 0 && !Bsdf(material, s.uv).transmits_continuously() && !glass && !scene.panes.is_crossed(s.instance))
+      out.into_surface = std::max(out.into_surface, float(sides[!behind].flux / all));
+  }
+  return out;
+}
+
+bool lies_in_another(const Snapshot& scene, const Emitter& emitter, uint32_t instance) {
+  constexpr uint32_t count = 64;
+  const float away = 0x1p-7f * scene.radius;
+  for (uint32_t i = 0; i < count; ++i) {
+    const auto u = philox({i, 5, 0, 0}, {0, 0});
+    EmissionSample s;
+    if (!emitter.sample_emission({(float(i) + 0.5f) / count, to_unit_float(u[0])},
+                                 {to_unit_float(u[1]), to_unit_float(u[2])}, s))
+      continue;
+    Hit hit;
+    if (!scene.raytracer->intersect(s.p + s.direction * away, -s.direction, 2 * away, hit) || hit.instance == instance)
+      continue;
+    const SurfacePoint other = scene.raytracer->surface_at(hit);
+    if (std::abs(dot(other.p - s.p, s.n)) <= 2 * (s.error + other.error) && std::abs(dot(other.ng, s.n)) > 0.9999f)
+      return true;
+  }
+  return false;
 }
 
 std::vector<uint32_t> some_emitters(const EmitterSet& emitters, size_t most) {

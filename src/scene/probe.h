@@ -16,8 +16,12 @@ float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& 
 // A point of a surface that lies in the plane of a wall, too, as on an edge or in a corner: moved to the wall's front by
 // what rounding makes, so that light from that side reaches it.
 Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame);
-// A source without extent that lies on a surface shines from the side that n points to, on glass into it.
-Vec3 off_surface(const Snapshot& scene, const Vec3& p, const Vec3& n);
+// A source without extent that lies on a surface shines from that side of it to which most of its light goes.
+struct SourcePlace {
+  Vec3 p;
+  float into_surface;  // share of the light that goes to the other side, of what is opaque
+};
+SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& emitter);  // an emitter at p
 
 // Where light of an emitter meets a surface first; numbers of its own for each i.
 struct FirstLight {
@@ -29,6 +33,10 @@ struct FirstLight {
   SurfacePoint surface;
 };
 FirstLight first_light(const Snapshot& scene, const Emitter& emitter, uint32_t i);
+
+// Does the surface of an instance that emits lie in the plane of another's? Which of the two a ray meets is a matter of
+// rounding.
+bool lies_in_another(const Snapshot& scene, const Emitter& emitter, uint32_t instance);
 
 // Of more than `most` emitters the strong ones, and every other that stands for the rest; else all. In order.
 std::vector<uint32_t> some_emitters(const EmitterSet& emitters, size_t most);

@@ -63,6 +63,7 @@ struct Observer {
 // What probe rays have told of an emitter: it holds as long as emitter and surfaces stay where they are.
 struct EmitterProbe {
   Vec3 place;                 // of a source without extent, off the surface that it lies on
+  float into_surface = 0;     // the share of its light that goes into that
   float error = 0;            // of an opening's surface
   float exposed = -1;         // share of its light, see scene/probe.h; < 0: not asked for
   double concentration = -1;  // the same

@@ -141,18 +141,18 @@ int map(const MapOptions& options) {
   if (extension != ".csv" && extension != ".exr")
     throw Failure(options.file + ": must be a .csv table of meters or a .exr image by `ups render --out`");
   if (extension == ".csv" && options.illuminance)
-    throw Failure("--illuminance: goes with a .exr image of a camera; " + options.file + " is a table");
+    throw WrongUsage("--illuminance: goes with a .exr image of a camera; " + options.file + " is a table");
   if (extension == ".exr" && !options.scene.empty())
-    throw Failure("--scene: goes with a .csv table of meters; " + options.file + " is an image");
+    throw WrongUsage("--scene: goes with a .csv table of meters; " + options.file + " is an image");
   const MapData data = extension == ".csv" ? map_of_table(options, title) : map_of_image(options, title);
   const bool lux = data.unit == "lx";
   if (lux && options.style.luminance_threshold > 0)
-    throw Failure("--map-threshold-luminance: " + options.file + " is shown in lux; take --map-threshold");
+    throw WrongUsage("--map-threshold-luminance: " + options.file + " is shown in lux; take --map-threshold");
   if (!lux && options.style.threshold > 0)
-    throw Failure("--map-threshold: " + options.file + " is shown in cd/m2; take --map-threshold-luminance, or of a "
+    throw WrongUsage("--map-threshold: " + options.file + " is shown in cd/m2; take --map-threshold-luminance, or of a "
                   "camera with \"illuminance_camera\": true --illuminance");
   if (lux && options.style.luminance_high > 0)
-    throw Failure("--map-range-luminance: " + options.file + " is shown in lux; take --map-range");
+    throw WrongUsage("--map-range-luminance: " + options.file + " is shown in lux; take --map-range");
   MapStyle style = lux ? options.style : of_luminance(options.style);
   if (!lux && !(style.high > 0)) style.low = options.style.low, style.high = options.style.high;  // of what there is
   const Drawing drawing = map_drawing(data, style);

@@ -29,7 +29,7 @@ size_t set_of(const LoadedScene& scene, const std::string& name) {
     if (sensor.name == name) return i;
     names += (names.empty() ? "" : ", ") + sensor.name;
   }
-  throw Failure("--ratio: the scene has no meters of the name " + name + "; it has " +
+  throw WrongUsage("--ratio: the scene has no meters of the name " + name + "; it has " +
                 (names.empty() ? "none" : names));
 }
 

@@ -7,12 +7,19 @@
 #include <utility>
 #include <vector>
 
+#include "report/handles.h"
 #include "report/map.h"
 #include "tool/library.h"
 #include "ups/ups_render.h"
 #include "ups/ups_sensor.h"
 
 namespace ups::tool {
+
+// Words of the command line that do not go with what the file holds.
+class WrongUsage : public Failure {
+ public:
+  using Failure::Failure;
+};
 
 inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2;  // interrupted: see platform/process.h
 

@@ -148,6 +148,9 @@ int main(int argc, char** argv) {
       return ups::tool::exit_failed;
     }
     return code;
+  } catch (const ups::tool::WrongUsage& e) {
+    ups::tool::put_error(e.what());
+    return ups::tool::exit_usage;
   } catch (const std::exception& e) {
     ups::tool::put_error(e.what());
     return ups::tool::exit_failed;

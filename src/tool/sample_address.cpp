@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 
+#include "tool/commands.h"
+
 namespace ups::tool {
 
 namespace {
@@ -79,7 +81,7 @@ std::string malformed_address(const std::string& address) {
 }
 
 ups_sample sample_at(const LoadedScene& scene, const std::string& address) {
-  const auto fail = [&](const std::string& what) { throw Failure("--sample " + address + ": " + what); };
+  const auto fail = [&](const std::string& what) { throw WrongUsage("--sample " + address + ": " + what); };
   Address a;
   if (const std::string wrong = parse_address(address, a); !wrong.empty()) fail(wrong);
   std::string names;

@@ -124,6 +124,7 @@ class FastSet(unittest.TestCase):
                 if LOW_EFFORT:
                     continue
                 self.assertEqual(calibration.failures(row), [], scene.name)
+                # Noise of single meters after so many iterations: no test of accuracy, which the bounds are.
                 self.assertLess(row["rms_error"], 0.03, scene.name)
 
 

@@ -48,7 +48,9 @@ class Tables(unittest.TestCase):
                     self.assertGreaterEqual(r["true_p95"], r["true_median"])
 
     def test_errors_are_those_of_the_light(self):
-        # The office has no light that a method cannot find: 5 % is far beyond the noise of any mean of 768 meters.
+        # No test of accuracy, for which these renders are too short and their noise unknown (tests/analytic and
+        # tests/agreement are): rows are of this scene and in its units. The office has no light that a method cannot
+        # find: 5 % is far beyond the noise of any mean of 768 meters.
         for r in table("errors"):
             if r["scene"] == "office":
                 self.assertLess(abs(r["mean_off"]), 0.05, r["method"])
@@ -114,6 +116,6 @@ if __name__ == "__main__":
         print("skipped: no python3 imports numpy and matplotlib (Debian: python3-matplotlib)")
         sys.exit(77)
     shutil.rmtree(FOLDER, ignore_errors=True)
-    shorter = ["--seconds", "0.1"] if os.environ.get("UPS_TEST_EFFORT") == "low" else []
+    shorter = ["--seconds", "0.1", "--light-paths", "256"] if os.environ.get("UPS_TEST_EFFORT") == "low" else []
     subprocess.run(["bash", RUN, "--fast", *shorter, "--ups", UPS, "--out", FOLDER], check=True)
     unittest.main(argv=sys.argv[:1])

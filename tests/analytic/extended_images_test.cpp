@@ -2,7 +2,7 @@
 // eye paths that run into them by way of the mirror and with light paths. In black surroundings closed forms tell it all.
 //
 // Judged as expect_lx.h says, with its false alarms and what it finds: an error of 1 %.
-#include "../support/expect_lx.h"
+#include "../support/expect_same.h"
 
 namespace ups::test {
 namespace {
@@ -109,10 +109,10 @@ TEST(PartsOfExtendedImages, AreSeenInSmallMirrors) {
 }
 
 // A luminaire with its luminous opening, of which rotation about its axis makes no difference: its image is one that
-// stands behind the mirror.
+// stands behind the mirror. Judged in pairs: expect_same.h.
 TEST(ExtendedImagesOfLuminaires, ShineByTheirTables) {
   const P3 place{0.4, 1.2, 2.0};
-  double expected[3] = {};
+  std::vector<Estimate> images;
   for (const bool mirrored : {true, false}) {
     Scene scene;
     const auto profile = table_profile(scene.context(), 0.2f);
@@ -120,20 +120,17 @@ TEST(ExtendedImagesOfLuminaires, ShineByTheirTables) {
     if (mirrored) scene.add(wall_mirror, mirror(0.85));
     else scene.add_luminaire(profile.get(), in_mirror(place), {0, 0, -1}, true);
     const Sensor meters = scene.add_meters(points, up);
-    const Result result = scene.render({.iterations = 128, .separation = UPS_SEPARATE_LUMINAIRES});
-    for (size_t i = 0; i < points.size(); ++i) {
-      const auto r = result.readings(meters)[i];
-      if (mirrored) expected[i] = r.illuminance_lx;
-      EXPECT_LE(r.standard_error_lx, quiet * r.illuminance_lx) << i;
-    }
+    const Result result = scene.render({.iterations = 192, .separation = UPS_SEPARATE_LUMINAIRES});
     if (mirrored) {
       EXPECT_TRUE(result.info().techniques & mirror_sample);
+      for (const auto& r : result.readings(meters)) images.push_back({"image", r.illuminance_lx, r.standard_error_lx});
       continue;
     }
     for (size_t i = 0; i < points.size(); ++i) {
-      const double own = result.readings_of_source(0, meters)[i].illuminance_lx,
-                   other = result.readings_of_source(1, meters)[i].illuminance_lx;
-      EXPECT_NEAR(expected[i], own + 0.85 * other, 0.006 * expected[i]) << i;
+      const auto own = result.readings_of_source(0, meters)[i], other = result.readings_of_source(1, meters)[i];
+      const double sum = double(own.illuminance_lx) + 0.85 * double(other.illuminance_lx),
+                   error = std::hypot(double(own.standard_error_lx), 0.85 * double(other.standard_error_lx));
+      expect_same({images[i], {"own and 0.85 of the other", sum, error}}, 0, "meter " + std::to_string(i));
     }
   }
 }

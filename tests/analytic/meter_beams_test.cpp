@@ -69,9 +69,9 @@ TEST(MeterBeams, ByLightSamples) {
   }
 }
 
-// By a technique with noise: 64 meters of each kind, their mean within 0.3 lx, 0.3 % of the beam. Noise is brought
-// below 0.15 lx, so that an error of 0.65 lx is found in 99 cases of 100; P(|t_15| > 2) = 6 % for each comparison at
-// the limit of noise, but seeds are fixed.
+// By a technique with noise: 64 meters of each kind, their mean judged as expect_lx.h says, with its false alarms and
+// what it finds: 1 % of what the kind reads. A reading below a tenth of the beam is judged as one of a tenth, so that
+// 0.1 % of the beam is found where there is no light; a vector's components as its length.
 class Beam {
  public:
   Scene scene;
@@ -90,24 +90,28 @@ class Beam {
   template <class Expected>
   void expect(RenderOptions options, double beam_lx, const Expected& expected) {
     const double lx = beam_lx / 100;
+    std::vector<P3> right;
+    std::vector<double> sizes;
+    for (const Case& c : cases) right.push_back(expected(c)), sizes.push_back(std::max(length(right.back()), 10.0));
+    const auto noise_of = [&](const Result& r, size_t i) { return r.statistics(sets_[i]).mean_standard_error_lx / lx; };
     const Result result = render_until_quiet(scene, options, 8192, [&](const Result& r) {
       double most = 0;
-      for (const Sensor& s : sets_) most = std::max(most, r.statistics(s).mean_standard_error_lx / (0.15 * lx));
+      for (size_t i = 0; i < sets_.size(); ++i) most = std::max(most, noise_of(r, i) / (quiet * sizes[i]));
       return most;
     });
     for (size_t i = 0; i < sets_.size(); ++i) {
       const Case& c = cases[i];
       const std::string what = name_of(c, angle_) + ", " + std::to_string(options.iterations) + " iterations";
-      const ups_meter_statistics mean = result.statistics(sets_[i]);
-      EXPECT_LE(mean.mean_standard_error_lx, 0.15 * lx) << what;
+      const double noise = noise_of(result, i), allowed = std::max(relative_tolerance * sizes[i], sigmas * noise);
+      EXPECT_LE(noise, quiet * sizes[i]) << what << ": too noisy to judge";
       if (c.kind != UPS_METER_VECTOR) {
-        EXPECT_NEAR(mean.mean_lx / lx, expected(c).x, 0.3) << what;
+        EXPECT_NEAR(result.statistics(sets_[i]).mean_lx / lx, right[i].x, allowed) << what << " +- " << noise;
         continue;
       }
       P3 sum;
       for (const ups_vector_reading& v : result.vectors(sets_[i]))
         sum = sum + P3{v.vector_lx[0], v.vector_lx[1], v.vector_lx[2]} * (1 / (64 * lx));
-      for (int k = 0; k < 3; ++k) EXPECT_NEAR(component(sum, k), component(expected(c), k), 0.3) << what << ", " << k;
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(component(sum, k), component(right[i], k), allowed) << what << ", " << k;
     }
   }
   // As the closed form says.
@@ -126,7 +130,7 @@ class MeterBeams : public ::testing::TestWithParam<int> {};
 // Photons of parallel light, where they cross the meters' discs.
 TEST_P(MeterBeams, ByMerging) {
   Beam beam(GetParam());
-  beam.scene.add(quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}), matte(0));
+  beam.scene.add(quad({-0.8, -0.8, -0.3}, {1.6, 0, 0}, {0, 1.6, 0}), matte(0));  // small: so is the sun's disc
   beam.scene.add_directional(beam.w * -1, 100);
   beam.add_meters(0.2);
   beam.expect({.method = UPS_METHOD_UPS,
@@ -136,15 +140,14 @@ TEST_P(MeterBeams, ByMerging) {
                .techniques = UPS_TECHNIQUE_MERGE});
 }
 
-// A square that faces the meters, whose middle is `far` away along the beam, as 64 x 64 points of equal area.
+// A square that faces the meters, whose middle is `far` away along the beam, as points x points of equal area.
 struct Square {
-  static constexpr int points = 64;
   Shape shape;
   P3 w;
   double area;
   std::vector<P3> places;
 
-  Square(const P3& to_light, double far, double side) : w(to_light), area(side * side) {
+  Square(const P3& to_light, double far, double side, int points) : w(to_light), area(side * side) {
     const P3 s{0, side, 0}, t = cross(w, s), corner = w * far + s * -0.5 + t * -0.5;
     shape = quad(corner, s, t);
     if (dot(shape.area_normal(0), w) > 0) shape = shape.flipped();
@@ -176,10 +179,10 @@ TEST_P(MeterBeams, ByConnections) {
   constexpr double far = 2, rho = 0.8, cd = 1000;
   const int angle = GetParam();
   Beam beam(angle);
-  const Square patch(beam.w, far, 0.1);
+  const Square patch(beam.w, far, 0.1, 64);
   const P3 middle = beam.w * far, spot = middle + P3{0, 0.5, 0} + beam.w * -0.5;
   beam.scene.add(patch.shape, matte(rho));
-  beam.scene.add_spot(spot, middle - spot, cd, 0.12, 0.13);
+  beam.scene.add_spot(spot, middle - spot, cd, 0.095, 0.1);  // the patch is seen within 0.091
   beam.add_meters(0);
   double lx = 0;  // on the patch
   for (const P3& p : patch.places)
@@ -191,20 +194,20 @@ TEST_P(MeterBeams, ByConnections) {
     }
   }
   beam.expect({.method = UPS_METHOD_LIGHT_TRACING,
-               .iterations = 448,
+               .iterations = angle == 2 ? 448u : 288u,  // a horizon that halves the patch makes more noise
                .light_paths = 1u << 14,
                .techniques = UPS_TECHNIQUE_CONNECT},
               patch.across(rho * lx / pi_d), [&](const Case& c) { return patch.expected(c); });
 }
 
-// An emitter can be hit only if it has an extent: of 2 m, 2 m away.
+// An emitter can be hit only if it has an extent: of 4 m, 2 m away, a sixth of all directions.
 TEST_P(MeterBeams, ByEmitterHits) {
   Beam beam(GetParam());
-  const Square square(beam.w, 2, 2);
+  const Square square(beam.w, 2, 4, 256);
   beam.scene.add(square.shape, emitter(100));
   beam.add_meters(0);
-  beam.expect({.method = UPS_METHOD_UPS, .techniques = UPS_TECHNIQUE_EMITTER_HIT}, square.across(100),
-              [&](const Case& c) { return square.expected(c); });
+  beam.expect({.method = UPS_METHOD_UPS, .iterations = 128, .techniques = UPS_TECHNIQUE_EMITTER_HIT},
+              square.across(100), [&](const Case& c) { return square.expected(c); });
 }
 
 INSTANTIATE_TEST_SUITE_P(At, MeterBeams, ::testing::Values(0, 1, 2),

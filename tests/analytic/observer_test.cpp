@@ -26,7 +26,8 @@ struct SphereRoom {
     eye = scene.add_observer(to_lamp * -1, {0, 1, 0});
     guth = scene.add_observer(to_lamp * -1, {0, 1, 0}, UPS_POSITION_INDEX_GUTH);
   }
-  // UGR to 0.025, which is 0.7 % of the background: 3.5 standard errors or more, a false alarm of 5e-4.
+  // The background to 0.5 % and UGR to 0.02, at standard errors of 0.17 % and 0.0059 at most: a false alarm has
+  // P(|t_15| > 2.9) = 1 % at that limit, seeds fixed; 1 % of the background or of the term is found in 99 cases of 100.
   void expect(const std::vector<ups_method>& methods, double sum_without_p, double luminance, const std::string& what) {
     const double s = std::atan(std::sqrt(0.5)) * 180 / pi_d, t = 45;
     const double levin = std::exp((35.2 - 0.31889 * t - 1.22 * std::exp(-2 * t / 9)) * 1e-3 * s +
@@ -39,9 +40,9 @@ struct SphereRoom {
         const double expected = ugr(sum_without_p / (p * p), luminance);
         const std::string where = what + ", " + method_name(method);
         EXPECT_EQ(r.source_count, 1u) << where;
-        EXPECT_NEAR(r.ugr, expected, 0.025) << where;
-        EXPECT_NEAR(r.background_cd_m2, luminance, 0.007 * luminance) << where;
-        EXPECT_LT(r.ugr_standard_error, 0.007f) << where;
+        EXPECT_NEAR(r.ugr, expected, 0.02) << where;
+        EXPECT_NEAR(r.background_cd_m2, luminance, 0.005 * luminance) << where;
+        EXPECT_LE(r.ugr_standard_error, 0.0059f) << where;
         EXPECT_GT(r.ugr_standard_error, 0) << where;
         EXPECT_LT(r.ugr_low, r.ugr) << where;
         EXPECT_GT(r.ugr_high, r.ugr) << where;
@@ -135,12 +136,14 @@ TEST(Observer, SeesThePanelsLuminance) {
   EXPECT_NEAR(s.direction[2], 0.5, 1e-5);
 }
 
-// A screen up to x = 0.06 m half way hides x < 0.12 m of the panel: 0.7 of it, of 16 columns of rays 11 and a fifth.
+// A screen up to x = 0.06 m half way hides x < 0.12 m of the panel: 0.7 of it, of 16 columns of rays 11 and a fifth,
+// and 0.7032 of its light, which is less at its edge. The rays are the same in every render; where one column's
+// are decides, a deviation of 0.0066, of which three are allowed. Bars that move, below, find one ray.
 TEST(Observer, ScreensHideAShare) {
   Dark dark;
   dark.scene.add(quad({-1, 1.2990381, 0}, {1.06, 0, 0}, {0, 0, 2}), matte(0));
   const ups_glare_source s = dark.source();
-  EXPECT_NEAR(s.visible_share, 0.3, 0.02);
+  EXPECT_NEAR(s.visible_share, 0.2968, 0.02);
   EXPECT_NEAR(s.luminance_cd_m2, 2500, 0.3);
   EXPECT_NEAR(s.solid_angle_sr, 0.04 * double(s.visible_share), 1e-6);
   EXPECT_EQ(s.flags, uint32_t(UPS_GLARE_FLAG_HIDDEN));
@@ -154,6 +157,21 @@ TEST(Observer, BarsInRowsHideTheirShare) {
   const ups_glare_source s = dark.source();
   EXPECT_NEAR(s.visible_share, 0.65, 0.1);
   EXPECT_EQ(s.flags, uint32_t(UPS_GLARE_FLAG_HIDDEN));
+}
+
+// Bars that move on by a tenth of their distance, of which they cover four, hide each ray four times of ten, wherever
+// it goes: the mean is 0.6 but for rounding. Of one share 0.12 is four deviations.
+TEST(Observer, BarsThatMoveHideEachRayAsOften) {
+  double mean = 0;
+  for (int i = 0; i < 10; ++i) {
+    Dark dark;
+    for (int k = -6; k < 6; ++k)
+      dark.scene.add(quad({0.0375 * (k + 0.1 * i), 1.2990381, 0}, {0.015, 0, 0}, {0, 0, 2}), matte(0));
+    const double share = double(dark.source().visible_share);
+    EXPECT_NEAR(share, 0.6, 0.12) << i;
+    mean += share / 10;
+  }
+  EXPECT_NEAR(mean, 0.6, 1e-4);  // one ray weighs 4e-4
 }
 
 // 256 rays see a share of 0 or 1 where it is up to 1 - 0.05^(1/256) from that, with 95 %.
@@ -365,8 +383,11 @@ TEST(Observer, DoesNotDependOnThreads) {
 }
 
 // The room 2 H x 2 H of CIE 190 with its 64 panels, of which those with H / R to 1.9 count. The table's background is
-// the walls' mean indirect light, which cells on the walls measure here: found for surfaces that are lit evenly, it
-// holds for them as they are, within 0.1. At the eye's own place, below at the middle of a wall, there is less.
+// the walls' mean indirect light, which cells on the walls measure here: the table has 2121.2 lx, of surfaces that are
+// lit evenly; as they are it is 2130.9 lx (radiosity of patches as in glare_rooms_test.cpp, extrapolated: within
+// 0.02 %). Noise of the mean over the walls, whose paths are their own, is at most 0.17 %, false alarms are those of
+// expect_lx.h, and 1 % is found in 96 cases of 100; of UGR, to 0.02, in 98: P(|t_15| > 3.4) = 0.4 %. At the eye's own
+// place, below at the middle of a wall, there is less.
 TEST(Observer, InARoomOfCie190) {
   Scene scene;
   std::vector<float> gamma, cd;
@@ -388,20 +409,25 @@ TEST(Observer, InARoomOfCie190) {
       scene.add_luminaire(panel.get(), {0.25 + 0.5 * i, 0.25 + 0.5 * j, height}, {0, 0, -1}, true);
   const Sensor walls = scene.add_cells(centers, normals, tangents, side, height);
   const Sensor eye = scene.add_observer({side / 2, 0, 1e-4}, {0, 1, 0});
-  const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 64});
+  const Result result = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 256});
   ups_ugr_table table{};
   table.struct_size = sizeof table;
   check(ups_profile_get_ugr_table(panel.get(), &table), "ups_profile_get_ugr_table");
-  double mean = 0;
-  for (const auto& r : result.part(walls, UPS_LIGHT_PART_INDIRECT)) mean += double(r.illuminance_lx) / 4;
+  double mean = 0, error = 0;
+  for (const auto& r : result.part(walls, UPS_LIGHT_PART_INDIRECT)) {
+    EXPECT_GE(r.standard_error_lx, 0);
+    mean += double(r.illuminance_lx) / 4, error = std::hypot(error, double(r.standard_error_lx) / 4);
+  }
+  constexpr double even = 2121.2, uneven = 2130.9;
+  expect_lx(mean, error, uneven, quiet, "walls");
   const ups_observer_reading r = result.observer(eye);
   const double sum = std::pow(10, double(r.ugr) / 8) * double(r.background_cd_m2) / 0.25;
-  EXPECT_NEAR(ugr(sum, mean / pi_d), table.crosswise[0], 0.1);
+  EXPECT_NEAR(ugr(sum, mean * even / uneven / pi_d), table.crosswise[0], 0.02);
   EXPECT_GT(r.ugr, table.crosswise[0]);
   RecordProperty("table", std::to_string(table.crosswise[0]));
   RecordProperty("rendered_with_the_walls_mean", std::to_string(ugr(sum, mean / pi_d)));
   RecordProperty("rendered_at_the_eye", std::to_string(r.ugr));
-  EXPECT_LT(r.ugr_standard_error, 0.02f);
+  EXPECT_LT(r.ugr_standard_error, 0.01f);
   EXPECT_EQ(r.source_count, 48u);
 }
 

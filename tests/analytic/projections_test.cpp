@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../support/expect_lx.h"
+#include "../support/image_mean.h"
 
 namespace ups::test {
 namespace {
@@ -20,8 +21,8 @@ double from_middle(uint32_t x, uint32_t y, uint32_t side) {
 
 // Means over the pixels of two parts of a square image: a fisheye's inner and outer half, a panorama's half ahead and
 // half behind, of a perspective image its upper and lower half. Pixels on the rim of the image circle are left out.
-std::array<double, 2> means_of_parts(const std::vector<float>& rgb, ups_projection p, uint32_t side) {
-  double sums[2] = {0, 0}, counts[2] = {0, 0};
+std::array<Mean, 2> means_of_parts(const Image& image, ups_projection p, uint32_t side) {
+  double sums[2] = {0, 0}, squares[2] = {0, 0}, counts[2] = {0, 0};
   for (uint32_t y = 0; y < side; ++y)
     for (uint32_t x = 0; x < side; ++x) {
       const double r = from_middle(x, y, side);
@@ -29,14 +30,18 @@ std::array<double, 2> means_of_parts(const std::vector<float>& rgb, ups_projecti
       const size_t part = is_fisheye(p)        ? r > 0.7
                           : p == UPS_PANORAMA ? x < side / 4 || x >= 3 * side / 4
                                               : y >= side / 2;
-      sums[part] += rgb[3 * (size_t(y) * side + x) + 1];
+      const size_t green = 3 * (size_t(y) * side + x) + 1;
+      sums[part] += double(image.luminance[green]);
+      squares[part] += std::pow(double(image.standard_error[green]), 2);
       ++counts[part];
     }
-  return {sums[0] / counts[0], sums[1] / counts[1]};
+  return {Mean{sums[0] / counts[0], std::sqrt(squares[0]) / counts[0]},
+          Mean{sums[1] / counts[1], std::sqrt(squares[1]) / counts[1]}};
 }
 
-// Every surface emits Le and reflects rho: L = Le / (1 - rho). 1 %; the noise of a half's mean was 0.3 % at the most by
-// the spread over seeds, so that an error of 2 % is found in 99 of 100 cases.
+// Every surface emits Le and reflects rho: L = Le / (1 - rho). 1 % for each half of an image. Its noise was 0.3 % at
+// the most by the spread over seeds, and is that by its pixels' errors, too, taken for their own: P(|t_15| > 3.3) =
+// 0.5 % is the chance of a false alarm, and an error of 2 % of half an image is found in 99 cases of 100.
 TEST(Projections, AUniformRoomReadsItsLuminanceByEveryTechnique) {
   constexpr uint32_t side = 40;
   const double rho = 0.6, emitted = 10, expected = emitted / (1 - rho);
@@ -50,8 +55,10 @@ TEST(Projections, AUniformRoomReadsItsLuminanceByEveryTechnique) {
     const Result result = scene.render({.method = method, .iterations = method == UPS_METHOD_PPM ? 256u : 64u});
     for (size_t c = 0; c < cameras.size(); ++c) {
       const Image image = result.image(cameras[c]);
-      for (const double mean : means_of_parts(image.luminance, projections[c], side))
-        EXPECT_NEAR(mean, expected, 0.01 * expected) << method_name(method) << ", " << names[c];
+      for (const Mean& mean : means_of_parts(image, projections[c], side)) {
+        EXPECT_LE(mean.standard_error, 0.003 * expected) << method_name(method) << ", " << names[c];
+        EXPECT_NEAR(mean.value, expected, 0.01 * expected) << method_name(method) << ", " << names[c];
+      }
       if (!is_fisheye(projections[c])) continue;
       for (const size_t corner : {size_t(0), size_t(3 * (side * side - 1))}) {  // no light, and that is certain
         EXPECT_EQ(image.luminance[corner], 0) << names[c];

@@ -76,7 +76,9 @@ TEST_F(Fixtures, CollimatorKeepsItsLightTogether) {
   const std::vector<Flux> found = flux({{inside, 0.04}, {around, 0.4}}, 64);
   std::printf("%g +- %g lm, around %g\n", found[0].lm, found[0].standard_error, found[1].lm);
   expect_flux(found[0], 100 * share_made_parallel(1.49, 0.004, 0.005), 0.005);
-  EXPECT_LT(found[1].lm - found[0].lm, 4);  // what Fresnel reflects
+  // What Fresnel reflects: 1.1 lm as measured, +- 0.02; no closed form. 0.5 lm of 100 that leave the beam are found.
+  EXPECT_GT(found[1].lm - found[0].lm, 0.7);
+  EXPECT_LT(found[1].lm - found[0].lm, 1.5);
 }
 
 // All light that leaves a source in a closed black box around lossless optics arrives.

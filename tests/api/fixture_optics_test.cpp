@@ -1,7 +1,9 @@
 // The light output ratio of fixtures on the goniometer against rays traced through the same shapes as exact quadrics:
 // the stated error must cover what is left of the shapes' making. Seed 1, 16 iterations; t with 15 degrees of freedom:
 // of five right figures, three or more lie beyond their own 95 % bound once in 860 seeds, one beyond 4.88 standard
-// errors once in 1000.
+// errors once in 1000. Standard errors are limited one by one, with those of the exact figures to 1.22 times as much,
+// and 6.9 of them are found in 97.7 of 100 cases: of cone and paraboloid 0.02 % of the source's light, of the ellipsoid
+// 0.09 %, of the cylinder 0.17 %, of the lens 0.25 %.
 #include <cmath>
 #include <random>
 

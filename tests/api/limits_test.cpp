@@ -234,7 +234,9 @@ TEST_F(Limits, AnImageCanBeReadInItsFirstPass) {
   }
 }
 
-// Absorbed and escaped flux: with the light paths of the method, or with those that were asked for, else unknown.
+// Absorbed and escaped flux: with the light paths of the method, or with those that were asked for, else unknown. Their
+// balance closes within four standard errors, P = 6e-5, of at most 0.15 % of what is emitted, asserted: 0.9 % is found
+// in 97.7 of 100 cases. (What paths lose otherwise than by chance is found from 1e-6 on: FluxBalance.*, tests/render.)
 TEST_F(Limits, FluxIsCountedWhereItIsAskedFor) {
   add_meters(4);
   EXPECT_OK(ups_scene_commit(scene));
@@ -244,17 +246,24 @@ TEST_F(Limits, FluxIsCountedWhereItIsAskedFor) {
   EXPECT_EQ(info().escaped_flux_lm, -1);
   EXPECT_GT(info().emitted_flux_lm, 12);
   const auto without = readings();
-  d.flux_paths = 5000;
+  const auto expect_balance = [&] {
+    const ups_result_info i = info();
+    const double s = i.flux_balance_standard_error_lm;
+    EXPECT_GT(i.absorbed_flux_lm, 0);
+    EXPECT_GT(i.escaped_flux_lm, 0);
+    EXPECT_GT(s, 0);
+    EXPECT_LE(s, 0.0015 * i.emitted_flux_lm) << "too noisy to judge";
+    EXPECT_NEAR(i.absorbed_flux_lm + i.escaped_flux_lm, i.emitted_flux_lm, 4 * s + 1e-5 * i.emitted_flux_lm);
+  };
+  d.flux_paths = 50000;
   ASSERT_EQ(render(d), UPS_OK) << ups_last_error();
-  EXPECT_GT(info().absorbed_flux_lm, 0);
-  EXPECT_GT(info().escaped_flux_lm, 0);
-  EXPECT_NEAR(info().absorbed_flux_lm + info().escaped_flux_lm, info().emitted_flux_lm, 0.02 * info().emitted_flux_lm);
+  expect_balance();
   EXPECT_EQ(info().light_paths, 0u) << "they are not the method's";
   const auto with = readings();
   EXPECT_EQ(std::memcmp(with.data(), without.data(), with.size() * sizeof with[0]), 0);
-  d.method = UPS_METHOD_UPS, d.flux_paths = 0;
+  d.method = UPS_METHOD_UPS, d.flux_paths = 0, d.light_paths_per_iteration = 1u << 14;
   ASSERT_EQ(render(d), UPS_OK) << ups_last_error();
-  EXPECT_NEAR(info().absorbed_flux_lm + info().escaped_flux_lm, info().emitted_flux_lm, 0.02 * info().emitted_flux_lm);
+  expect_balance();
   d.flux_paths = (1u << 24) + 1;
   expect_error(render(d), UPS_ERROR_INVALID_ARGUMENT, {"flux_paths", "16777216"});
 }

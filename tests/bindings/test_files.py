@@ -6,6 +6,7 @@ import json
 import numpy as np
 import pytest
 import ups
+from expect_lx import expect_lx
 from matplotlib.image import imread
 
 
@@ -103,12 +104,16 @@ def test_pictures(tmp_path):
 
 
 def test_smoothing_takes_noise_and_keeps_light():
-    random = np.random.default_rng(2)
-    noisy = random.normal(100, 20, (24, 24, 3)).astype(np.float32)
     depth, normal = np.full((24, 24), 2.0), np.broadcast_to((0, 0, 1), (24, 24, 3))
-    albedo = np.full(noisy.shape, 0.5)
-    smoothed = ups.smooth(noisy, np.full(noisy.shape, 20), albedo_rgb=albedo, normal=normal, depth=depth)
-    assert smoothed.std() < noisy.std() / 3 and smoothed.mean() == pytest.approx(noisy.mean(), rel=0.02)
+    kept = []
+    for seed in range(16):
+        noisy = np.random.default_rng(seed).normal(100, 20, (24, 24, 3)).astype(np.float32)
+        albedo = np.full(noisy.shape, 0.5)
+        smoothed = ups.smooth(noisy, np.full(noisy.shape, 20), albedo_rgb=albedo, normal=normal, depth=depth)
+        assert smoothed.std() < noisy.std() / 3
+        kept.append(smoothed.mean() / noisy.mean())
+    # 0.1 % each: pixels near the border count for more. Half a percent is far beyond that; 1 % is always found.
+    expect_lx(np.mean(kept), np.std(kept, ddof=1) / 4, 1, "light kept", 0.001)
     with pytest.raises(ValueError, match="depth: expected an array of shape"):
         ups.smooth(noisy, noisy, depth=noisy)
 

@@ -1,7 +1,8 @@
 """Do fixtures and goniometers work in the Python binding: each kind of part against light that is known.
 
 Differences from exact values are compared with the reported standard errors, whose t has 15 degrees of freedom: beyond
-5 in 1 of 6000 seeds. The seeds are fixed.
+5 in 1 of 6000 seeds. The errors are at most 0.14 % of what is expected, so that 1 % is found in 97 cases of 100 and
+more. The seeds are fixed.
 """
 import math
 
@@ -14,6 +15,7 @@ CLEAR = {"model": ups.MaterialModel.GLASS, "ior": 1.0}  # a solid that light pas
 SPOT = {"radius_m": 1e-4, "flux_lm": 1000}              # small against everything else: its surroundings see a point
 
 RENDER = {"iteration_count": 32, "seed": 4, "light_paths_per_iteration": 8192}
+OF_NODES = {**RENDER, "iteration_count": 64}  # a 400th of the light reaches the nadir's
 
 
 def fixture_of(context, emitter=SPOT):
@@ -22,20 +24,24 @@ def fixture_of(context, emitter=SPOT):
     return fixture
 
 
-def measured(context, fixture, gamma_deg=np.linspace(0, 180, 37)):
+def measured(context, fixture, gamma_deg=np.linspace(0, 180, 37), render=RENDER):
     """(result, sensor) of the fixture alone in a scene, alike in all planes."""
     scene = ups.Scene(context)
     scene.add_fixture(fixture)
     sensor = scene.add_goniometer(c_deg=[0], gamma_deg=gamma_deg, symmetry=ups.ProfileSymmetry.AXIAL)
     scene.commit()
-    return scene.render(**RENDER), sensor
+    return scene.render(**render), sensor
+
+
+def expect_in_noise(value, error, expected, model_error=0):
+    assert 0 <= error < 0.0014 * expected
+    assert abs(value - expected) < 5 * error + model_error
 
 
 def expect_output_ratio(context, fixture, expected, model_error=0):
     result, sensor = measured(context, fixture)
     info = result.goniometer_info(sensor)
-    assert abs(info.light_output_ratio - expected) < 5 * info.light_output_ratio_standard_error + model_error
-    assert info.light_output_ratio_standard_error < 1e-3
+    expect_in_noise(info.light_output_ratio, info.light_output_ratio_standard_error, expected, model_error)
 
 
 def expect_lambertian(reading, gamma_deg, step_deg=5):
@@ -44,7 +50,7 @@ def expect_lambertian(reading, gamma_deg, step_deg=5):
     hat = (1 - abs(np.degrees(gamma) - gamma_deg) / step_deg) * np.sin(gamma)
     expected = 1000 / math.pi * np.sum(hat * np.cos(gamma)) / np.sum(hat)
     assert expected == pytest.approx(1000 / math.pi * math.cos(math.radians(gamma_deg)), rel=0.003)
-    assert abs(reading["intensity_cd"] - expected) < 5 * reading["standard_error_cd"] < 0.05 * expected
+    expect_in_noise(reading["intensity_cd"], reading["standard_error_cd"], expected)
 
 
 def test_a_lambertian_emitter_has_the_intensity_of_flux_over_pi(context):
@@ -52,7 +58,7 @@ def test_a_lambertian_emitter_has_the_intensity_of_flux_over_pi(context):
     info = fixture.info
     assert (info.part_count, info.flux_lm) == (1, 1000)
     assert info.emitter_area_m2 == pytest.approx(math.pi * 1e-4, rel=0.005)
-    result, sensor = measured(context, fixture)
+    result, sensor = measured(context, fixture, render=OF_NODES)
     readings = result.goniometer(sensor)
     assert readings.shape == (1, 37)
     expect_lambertian(readings[0, 0], 0)
@@ -90,7 +96,7 @@ def test_placements_are_scaled_dimmed_turned_and_removed(context):
     scene.set_fixture_transform(placed, np.diag((1, -1, -1, 1)))  # half a turn about X: now it shines up
     scene.commit()
     assert scene.info.emitted_flux_lm == pytest.approx(1000, rel=1e-5)
-    result = scene.render(**RENDER, separation=ups.Separation.GROUPS)
+    result = scene.render(**OF_NODES, separation=ups.Separation.GROUPS)
     readings = result.goniometer(sensor)
     assert readings.shape == (4, 37) and not readings["intensity_cd"][:, :18].any()
     expect_lambertian(readings[0, 36], 0)
@@ -128,20 +134,38 @@ def test_a_lens_absorbs_by_beer_and_lambert(context):
     expect_output_ratio(context, fixture, np.mean(2 * mu * np.exp(-0.5 / mu)), 5e-5)
 
 
+def share_made_parallel(ior, radius, depth):
+    """By a collimator, of a Lambertian point's light: what Fresnel leaves of it at the entry and at the exit (as in
+    tests/api/fixture_light_test.cpp). The lens' hyperboloid turns it by b, tan b = sin theta / (n - cos theta); what
+    passes it meets the cavity's wall."""
+    def passed(cosine):
+        t = np.sqrt(1 - (1 - cosine**2) / ior**2)
+        s, p = (cosine - ior * t) / (cosine + ior * t), (ior * cosine - t) / (ior * cosine + t)
+        return 1 - (s**2 + p**2) / 2
+    theta = (np.arange(100000) + 0.5) / 100000 * math.pi / 2
+    bent = np.maximum(ior * np.cos(theta) - 1, 1e-9)
+    to_lens = depth * (ior - 1) / bent * np.sin(theta) < radius
+    incidence = np.where(to_lens, theta + np.arctan2(np.sin(theta), ior - np.cos(theta)), math.pi / 2 - theta)
+    return math.pi / 2 * np.mean(np.sin(2 * theta) * passed(np.cos(incidence))) * passed(1.0)
+
+
 def test_a_collimator_bundles_light(context):
     tight = fixture_of(context)
-    tight.add_collimator(cavity_radius_m=0.003, cavity_depth_m=0.004, wall_thickness_m=0.001)
-    result, sensor = measured(context, tight, np.linspace(0, 90, 91))
+    tight.add_collimator(cavity_radius_m=0.003, cavity_depth_m=0.004, wall_thickness_m=0.001,
+                         finish_absorption_per_m=0)
+    result, sensor = measured(context, tight, np.linspace(0, 6, 7))  # the emitter is 3 degrees wide to the cavity
     info = result.goniometer_info(sensor)
-    # Fresnel's 3.9 % are lost at the exit face, some more at the entry; part of both leaves upwards.
-    assert 0.9 < (info.flux_lm - info.outside_flux_lm) / info.emitted_flux_lm < 0.963
+    # Paths are reflected or not, nothing in between: their noise is a binomial's, 0.06 %, or less. Half a percent for
+    # facets and for what Fresnel sends into the bundle by another way: 0.8 % is found in all cases.
+    expected = share_made_parallel(1.49, 0.003, 0.004)
+    assert (info.flux_lm - info.outside_flux_lm) / info.emitted_flux_lm == pytest.approx(expected, rel=0.005)
     assert info.outside_flux_lm > 1
     assert result.goniometer(sensor)["intensity_cd"][0, 0] > 20 * 1000 / math.pi
     clear = fixture_of(context)
     clear.add_collimator([(0.006, 0), (0.012, -0.01)], cavity_radius_m=0.003, cavity_depth_m=0.004,
                          lens_radius_m=math.inf, wall=ups.CollimatorWall.POLYLINE, finish=ups.Finish.CUSTOM,
                          material={**CLEAR, "ior": 1.0001})  # above 1 it must be, and hardly bends light
-    result, sensor = measured(context, clear)
+    result, sensor = measured(context, clear, render=OF_NODES)
     assert result.goniometer_info(sensor).light_output_ratio == pytest.approx(1, abs=1e-4)
     expect_lambertian(result.goniometer(sensor)[0, 0], 0)
 

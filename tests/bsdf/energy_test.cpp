@@ -1,5 +1,10 @@
 // Reciprocity and the balance of energy: lossless materials return all light, others no more than that. Continuity in
 // roughness: tests/stability/roughness_test.cpp.
+//
+// No chance: albedos by Hammersley's points, which err by less than 0.1 % (WhiteFurnace.PointsAreEnough). So what is
+// allowed is what is found, and where the tables of bsdf/albedo.h are off the other way as much more: up to alpha 0.1
+// an error of 0.5 % (0.9 % at most) whatever the material, above of metal and of plastic to ior 2 as well. Above, the
+// tables of plastic of ior 2.2 and of glass are known to be within 1 and 1.3 %, and no less is allowed.
 #include <gtest/gtest.h>
 
 #include "bsdf/fresnel.h"
@@ -14,18 +19,21 @@ constexpr TransportMode importance = TransportMode::importance, radiance = Trans
 constexpr float cosines[] = {1.0f, 0.9f, 0.74f, 0.6f, 0.4f, 0.2f, 0.1f, 0.05f, 0.02f, 0.005f};
 constexpr float alphas[] = {1.0f, 0.6f, 0.25f, 0.1f, 0.03f, 1e-2f, 1e-3f, 1e-4f, 3.1e-5f, 1e-5f, 0.0f};
 
-void expect_white_furnace(MaterialModel model, float ior, double tolerance, bool both_sides = false) {
-  double worst = 0;
+// rough: what is allowed above alpha 0.1, and where hardly any light grazes so.
+void expect_white_furnace(MaterialModel model, float ior, double rough, bool both_sides = false) {
+  double worst[2] = {};
   for (float alpha : alphas)
     for (float cosine : cosines)
       for (int side = 0; side <= int(both_sides); ++side) {
         const Material m = make(model, roughness_of(alpha), Rgb(1.0f), ior);
         const double a = albedo(m, side ? -cosine : cosine);
-        worst = std::max(worst, std::abs(a - 1));
-        EXPECT_NEAR(a, 1, tolerance) << "alpha " << alpha << " cos " << cosine << (side ? " inside" : "");
+        const bool is_rough = alpha > 0.1f || cosine < 0.02f;
+        worst[is_rough] = std::max(worst[is_rough], std::abs(a - 1));
+        EXPECT_NEAR(a, 1, is_rough ? rough : 0.005)
+            << "alpha " << alpha << " cos " << cosine << (side ? " inside" : "");
       }
-  ::testing::Test::RecordProperty("worst", std::to_string(worst));
-  std::printf("worst deviation from 1: %.4f\n", worst);
+  ::testing::Test::RecordProperty("worst", std::to_string(std::max(worst[0], worst[1])));
+  std::printf("worst deviation from 1: %.4f, where rough %.4f\n", worst[0], worst[1]);
 }
 
 TEST(WhiteFurnace, Metal) { expect_white_furnace(MaterialModel::metal, 1.5f, 0.005); }
@@ -34,6 +42,18 @@ TEST(WhiteFurnace, PlasticOfHighIndex) { expect_white_furnace(MaterialModel::pla
 TEST(WhiteFurnace, Glass) { expect_white_furnace(MaterialModel::glass, 1.5f, 0.01, true); }
 TEST(WhiteFurnace, Water) { expect_white_furnace(MaterialModel::glass, 1.33f, 0.01, true); }
 TEST(WhiteFurnace, Diamond) { expect_white_furnace(MaterialModel::glass, 2.42f, 0.015, true); }
+
+// Four times as many say the same, as rough and as sharp as they come, of both sides.
+TEST(WhiteFurnace, PointsAreEnough) {
+  for (const MaterialModel model : {MaterialModel::metal, MaterialModel::plastic, MaterialModel::glass})
+    for (const float alpha : {1.0f, 0.03f})
+      for (const float cosine : {0.74f, 0.05f, -0.4f}) {
+        if (cosine < 0 && model != MaterialModel::glass) continue;
+        const Material m = make(model, roughness_of(alpha), Rgb(1.0f), model == MaterialModel::glass ? 2.42f : 1.5f);
+        EXPECT_NEAR(albedo(m, cosine), albedo(m, cosine, 1 << 16), 1e-3)
+            << int(model) << " alpha " << alpha << " cos " << cosine;
+      }
+}
 
 TEST(WhiteFurnace, HalfMetallic) {
   for (float alpha : alphas) {
@@ -89,9 +109,12 @@ TEST(Energy, MetalColoursWhatItScattersRepeatedly) {
 }
 
 TEST(Energy, NothingReturnsMoreThanItGets) {
-  for (const Case& c : all_cases())
+  for (const Case& c : all_cases()) {
+    const bool is_rough_glass =
+        c.material.model == MaterialModel::glass && Bsdf(c.material, {0, 0}).min_alpha_continuous() > 0.1f;
     for (float cosine : {1.0f, 0.5f, 0.1f, -0.7f})
-      EXPECT_LT(albedo(c.material, cosine, 2048), 1.015) << c.name << cosine;
+      EXPECT_LT(albedo(c.material, cosine, 1 << 13), is_rough_glass ? 1.015 : 1.005) << c.name << cosine;
+  }
 }
 
 // f(wo, wi) = f(wi, wo); across a refraction radiance one way is importance the other way (Veach 1997, 5.2), and

@@ -1,6 +1,7 @@
 // Does sample() follow pdf(), and is everything that it returns what eval() and pdf() say?
 #include <gtest/gtest.h>
 
+#include "../stability/full.h"
 #include "bsdf/fresnel.h"
 #include "cases.h"
 #include "support/chi_square.h"
@@ -22,9 +23,10 @@ double lobe_angle(const Bsdf& bsdf, const Material& m, bool transmitted) {
   return bsdf.min_alpha_continuous() * (refracts ? std::min(1.0f, m.ior - 1) : 1.0f);
 }
 
+const int count = fast_or_full(50000, 320000);
+
 // One side at a time, everything else in one last cell, so that sharp lobes on both sides can be resolved.
-double p_value_of_side(const Material& m, const Vec3& wo, bool transmitted, uint32_t seed) {
-  constexpr int count = 20000;
+ChiSquareResult judge_side(const Material& m, const Vec3& wo, bool transmitted, uint32_t seed) {
   const Bsdf bsdf(m, {0, 0});
   const double angle = lobe_angle(bsdf, m, transmitted);
   const SphereCells cells = angle > 0.05 ? SphereCells(12, 16)  // its rows end at the horizon
@@ -32,7 +34,8 @@ double p_value_of_side(const Material& m, const Vec3& wo, bool transmitted, uint
   const auto on_side = [&](const Vec3& wi) { return (wo.z * wi.z < 0) == transmitted; };
 
   const auto pdf = [&](const Vec3d& d) { return on_side(Vec3(d)) ? bsdf.pdf(wo, Vec3(d)) : 0.0f; };
-  std::vector<double> expected = cells.integrate(pdf, 5e-6, 8, 2), observed(cells.size() + 1);
+  const double tolerance = 0.25 / count;  // a quarter of a sample
+  std::vector<double> expected = cells.integrate(pdf, tolerance, 8, 2), observed(cells.size() + 1);
   Random random{seed};
   for (int i = 0; i < count; ++i) {
     const auto r = random.next();
@@ -44,20 +47,22 @@ double p_value_of_side(const Material& m, const Vec3& wo, bool transmitted, uint
   for (double& e : expected) inside += e *= count;
   EXPECT_LT(inside, count * (1 + 5e-4));
   expected.push_back(count - inside);
-  if (expected.back() < 5) {  // of the order of the integrals' error: pool it with the largest cell
+  if (expected.back() < 2.5e-4 * count) {  // of the order of the integrals' error: pool it with the largest cell
     const size_t largest = size_t(std::max_element(expected.begin(), expected.end()) - expected.begin());
     expected[largest] += expected.back();
     observed[largest] += observed.back();
     expected.pop_back();
     observed.pop_back();
   }
-  return chi_square_test(observed, expected).p_value;
+  return chi_square_test(observed, expected);
 }
 
+// One false alarm in 1000 choices of the seeds, of all. A density that is off by 6 %, root mean square, is found in
+// 97.7 of 100 cases, in the full form (UPS_STABILITY=full) by 2.4 %.
 TEST(Sampling, ChiSquareOfDirections) {
   struct Result {
     std::string what;
-    double p;
+    ChiSquareResult chi_square;
   };
   std::vector<Result> results;
   uint32_t seed = 1;
@@ -69,13 +74,18 @@ TEST(Sampling, ChiSquareOfDirections) {
       for (bool transmitted : {false, true}) {
         if (transmitted && !bsdf.transmits()) continue;
         results.push_back({c.name + ", cos " + std::to_string(cosine) + (transmitted ? " transmitted" : " reflected"),
-                           p_value_of_side(c.material, direction(cosine), transmitted, seed++)});
+                           judge_side(c.material, direction(cosine), transmitted, seed++)});
       }
     }
   }
-  const double level = sidak_level(0.001, int(results.size()));  // one false alarm in 1000 choices of the seeds
+  const double level = sidak_level(0.001, int(results.size()));
   EXPECT_GT(results.size(), 200u);
-  for (const Result& r : results) EXPECT_GT(r.p, level) << r.what;
+  for (const auto& [what, r] : results) {
+    EXPECT_GT(r.p_value, level) << what;
+    if (r.degrees_of_freedom > 0) {
+      EXPECT_LE(smallest_found(count, r.degrees_of_freedom, level), fast_or_full(0.06, 0.024)) << what;
+    }
+  }
 }
 
 TEST(Sampling, WeightsAndDensitiesAgreeWithEvalAndPdf) {
@@ -108,7 +118,8 @@ TEST(Sampling, WeightsAndDensitiesAgreeWithEvalAndPdf) {
 }
 
 // Continuous densities, delta lobes and failures make up all probability. Failures are counted, so this is statistical:
-// 5 standard errors, false alarm 6e-7 a check.
+// 5 standard errors, of 0.2 % at most, and 0.1 % for the integral; false alarm 6e-7 a check. 1.5 % of all probability
+// that is missing is found in 97.7 of 100 cases, less where nearly all or nearly none is continuous.
 TEST(Sampling, ProbabilitiesAddUpToOne) {
   for (const Case& c : all_cases()) {
     const Bsdf bsdf(c.material, {0, 0});
@@ -118,16 +129,16 @@ TEST(Sampling, ProbabilitiesAddUpToOne) {
       double integral = 0;
       for (double p : SphereCells(20, 20).integrate([&](const Vec3d& d) { return bsdf.pdf(wo, Vec3(d)); }, 1e-5, 6))
         integral += p;
-      constexpr int count = 4000;
+      constexpr int samples = 64000;
       int rest = 0;
       Random random{11};
-      for (int i = 0; i < count; ++i) {
+      for (int i = 0; i < samples; ++i) {
         const auto r = random.next();
         BsdfSample s;
         rest += !bsdf.sample(wo, r.lobe, r.u, importance, s) || s.delta;
       }
-      const double p = 1 - integral, error = std::sqrt(std::max(1e-7, p * (1 - p)) / count);
-      EXPECT_NEAR(double(rest) / count, p, 5 * error + 1e-3) << c.name << " cos " << cosine;
+      const double p = 1 - integral, error = std::sqrt(std::max(1e-7, p * (1 - p)) / samples);
+      EXPECT_NEAR(double(rest) / samples, p, 5 * error + 1e-3) << c.name << " cos " << cosine;
     }
   }
 }

@@ -7,8 +7,8 @@
 In a guide <!-- file: NAME --> stands before a file, <!-- files of GUIDE --> before commands that need the files of
 another, <!-- not run: REASON --> before commands that are left out, and <!-- output --> before what the commands above
 it print. Of that, words must be as they are, numbers within 10 %, errors (after "within" and "error") within a factor of
-two: the same seed gives the same bits in one version, but the guides are to survive the next one. A line of it that is
-"..." stands for any lines.
+two: the same seed gives the same bits in one version, but the guides are to survive the next one. This is no test of
+accuracy: it finds guides that tell of another program. A line of it that is "..." stands for any lines.
 """
 import argparse
 import os

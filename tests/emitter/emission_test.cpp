@@ -1,5 +1,5 @@
 // Do light paths start where, whither and with the flux that the emitters claim? Chi-square tests have fixed seeds and
-// a false-alarm rate of 1e-4 each.
+// a false-alarm rate of 1e-4 each; densities that are off by 2 %, root mean square, are found in 97.7 of 100 cases.
 #include <gtest/gtest.h>
 
 #include "emitter/test_emitters.h"
@@ -7,7 +7,8 @@
 namespace ups::test {
 namespace {
 
-constexpr int samples = 200000;
+constexpr int samples = 600000;
+constexpr double smallest_error = 0.02;  // of a density, that is found
 
 // pdf: an independent statement of the density of directions, per solid angle.
 template <class Pdf>
@@ -24,7 +25,7 @@ void expect_directions(const Emitter& emitter, const SphereCells& cells, const P
   }
   std::vector<double> expected = cells.integrate(pdf);
   for (double& e : expected) e *= samples;
-  expect_fit(observed, expected);
+  expect_fit(observed, expected, smallest_error);
 }
 
 TEST(Emission, AreaDirectionsFollowTheCosine) {
@@ -75,7 +76,7 @@ void expect_spot(float inner_rad, float outer_rad, uint32_t seed) {
     observed[cells.index(s.direction)] += 1;
   }
   for (double& e : expected) e *= samples;
-  expect_fit(observed, expected);
+  expect_fit(observed, expected, smallest_error);
 }
 
 TEST(Emission, SpotDirectionsFollowItsFalloff) {
@@ -128,8 +129,9 @@ void expect_positions(const Emitter& emitter, size_t cells, const Cell& cell, ui
     if (!emitter.is_directional() && emitter.sample_direct(reference, random.pair(), d))
       direct[cell(d.p)] += 1, ++direct_count;
   }
-  expect_fit(emitted, std::vector<double>(cells, samples / double(cells)));
-  if (!emitter.is_directional()) expect_fit(direct, std::vector<double>(cells, direct_count / double(cells)));
+  expect_fit(emitted, std::vector<double>(cells, samples / double(cells)), smallest_error);
+  if (!emitter.is_directional())
+    expect_fit(direct, std::vector<double>(cells, direct_count / double(cells)), smallest_error);
 }
 
 size_t grid_cell(float x, float y, int n) {  // of the unit square
@@ -215,8 +217,10 @@ TEST(Emission, FluxIsRadianceOverDensities) {
   }
 }
 
-// What passes through a sphere around the emitter is its flux. Relative error of the mean below 0.3 % (stratified); 1 %
-// is allowed.
+// What passes through a sphere around the emitter is its flux: 0.4 % is allowed. Eight sets of numbers of their own,
+// each stratified over the sphere and, by an additive recurrence (Roberts 2018), over the emitter: the standard error
+// of their mean is at most 0.1 %, asserted, so that 0.6 % is found in 97.7 of 100 cases; P(|t_7| > 4) = 0.5 % is the
+// chance of a false alarm at that limit.
 TEST(Emission, FluxIsWhatArrivesAround) {
   for (const NamedEmitter& named : all_emitters()) {
     if (named.emitter->is_directional() || named.name == std::string("narrow spot")) continue;
@@ -225,18 +229,28 @@ TEST(Emission, FluxIsWhatArrivesAround) {
     const Vec3 center = e.center() + Vec3(0.1f, 0.2f, 0.05f);
     const double radius = 2 + 2 * e.radius();
     Random random(16);
-    constexpr int strata = 400;
-    double sum = 0;
-    for (int i = 0; i < strata * strata; ++i) {
-      const Vec2 jitter = random.pair();
-      const double z = 1 - 2 * (i / strata + jitter.x) / strata, phi = 2 * pi_d * (i % strata + jitter.y) / strata;
-      const double r = std::sqrt(1 - z * z);
-      const Vec3 outwards(float(r * std::cos(phi)), float(r * std::sin(phi)), float(z));
-      DirectSample s;
-      if (e.sample_direct(center + outwards * float(radius), random.pair(), s))
-        sum += luminance(s.weight) * -dot(s.wi, outwards);
+    constexpr int sets = 8;
+    const int strata = e.kind() == EmitterKind::spot ? 400 : 200;  // a hard edge is noise
+    double mean = 0, squares = 0;
+    for (int set = 0; set < sets; ++set) {
+      const Vec2 shift = random.pair();
+      double sum = 0;
+      for (int i = 0; i < strata * strata; ++i) {
+        const Vec2 jitter = random.pair();
+        const double z = 1 - 2 * (i / strata + jitter.x) / strata, phi = 2 * pi_d * (i % strata + jitter.y) / strata;
+        const double r = std::sqrt(1 - z * z);
+        const Vec3 outwards(float(r * std::cos(phi)), float(r * std::sin(phi)), float(z));
+        const Vec2 place{std::min(float(std::fmod(shift.x + 0.7548776662466927 * i, 1)), largest_u),
+                         std::min(float(std::fmod(shift.y + 0.5698402909980532 * i, 1)), largest_u)};
+        DirectSample s;
+        if (e.sample_direct(center + outwards * float(radius), place, s))
+          sum += luminance(s.weight) * -dot(s.wi, outwards);
+      }
+      const double relative = sum * 4 * pi_d * radius * radius / (strata * strata) / e.flux_lm();
+      mean += relative / sets, squares += relative * relative / sets;
     }
-    EXPECT_NEAR(sum * 4 * pi_d * radius * radius / (strata * strata) / e.flux_lm(), 1, 0.01);
+    EXPECT_LE(std::sqrt(std::max(0.0, squares - mean * mean) / (sets - 1)), 0.001) << "too noisy to judge";
+    EXPECT_NEAR(mean, 1, 0.004);
   }
 }
 

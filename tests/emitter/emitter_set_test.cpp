@@ -1,5 +1,6 @@
 // Is the choice among emitters a probability, the same from both sides, and sensible? Chi-square tests have fixed seeds
-// and a false-alarm rate of 1e-4 each.
+// and a false-alarm rate of 1e-4 each; probabilities that are off by 3.2 %, root mean square, are found in 97.7 of 100
+// cases, of a choice together with what is left of its number by 4.4 %. Without chance: light_tree_test.cpp.
 #include "emitter/emitter_set.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +11,6 @@
 
 namespace ups::test {
 namespace {
-
-constexpr double false_alarm = 1e-4;
 
 // Lengths scaled, as are areas and the sun's disc; radiance and illuminance stay, points' intensities grow with them.
 EmitterSet mixed_set(float scale = 1) {
@@ -39,14 +38,15 @@ EmitterSet many_points(int n) {
 
 template <class Choose, class Probability>
 void expect_choice(size_t n, const Choose& choose, const Probability& probability, uint32_t seed) {
-  constexpr int samples = 200000, cells = 16;
+  constexpr int samples = 300000;
+  const size_t cells = n > 100 ? 4 : 16;
   Random random(seed);
   std::vector<double> observed(n, 0.0), expected, joint(n * cells, 0.0), joint_expected;
   double sum = 0;
   for (size_t i = 0; i < n; ++i) {
     sum += probability(i);
     expected.push_back(samples * double(probability(i)));
-    joint_expected.insert(joint_expected.end(), cells, expected.back() / cells);
+    joint_expected.insert(joint_expected.end(), cells, expected.back() / double(cells));
   }
   EXPECT_NEAR(sum, 1, 1e-6);
   for (int i = 0; i < samples; ++i) {
@@ -56,10 +56,17 @@ void expect_choice(size_t n, const Choose& choose, const Probability& probabilit
     ASSERT_GE(c.u, 0);
     ASSERT_LT(c.u, 1);
     observed[c.index] += 1;
-    joint[c.index * cells + size_t(c.u * cells)] += 1;  // u is uniform again for every emitter
+    joint[c.index * cells + size_t(c.u * double(cells))] += 1;  // u is uniform again for every emitter
   }
-  EXPECT_GT(chi_square_test(observed, expected).p_value, false_alarm);
-  EXPECT_GT(chi_square_test(joint, joint_expected).p_value, false_alarm);
+  const auto judge = [](const std::vector<double>& found, const std::vector<double>& right, double worst) {
+    const ChiSquareResult r = chi_square_test(found, right);
+    EXPECT_GT(r.p_value, false_alarm) << r.statistic << " / " << r.degrees_of_freedom;
+    if (r.degrees_of_freedom > 0) {
+      EXPECT_LE(smallest_found(samples, r.degrees_of_freedom, false_alarm), worst) << "too few samples to judge";
+    }
+  };
+  judge(observed, expected, 0.032);
+  judge(joint, joint_expected, 0.044);
 }
 
 TEST(EmitterSet, ChoosesWithTheProbabilityThatItStates) {
@@ -141,7 +148,7 @@ TEST(EmitterSet, RaysStartByTheirFlux) {
   EXPECT_NEAR(length(emitter.center() - (Vec3(1, 2, 3) + f.s * 1.5f)), 0, 1e-5);
   Random random(42);
   std::vector<double> observed(4, 0.0);
-  constexpr int samples = 100000;
+  constexpr int samples = 500000;
   for (int i = 0; i < samples; ++i) {
     EmissionSample s;
     ASSERT_TRUE(emitter.sample_emission(random.pair(), {}, s));
@@ -154,6 +161,7 @@ TEST(EmitterSet, RaysStartByTheirFlux) {
   }
   const std::vector<double> expected = {0.1 * samples, 0.2 * samples, 0.3 * samples, 0.4 * samples};
   EXPECT_GT(chi_square_test(observed, expected).p_value, false_alarm);
+  EXPECT_LE(smallest_found(samples, 3, false_alarm), 0.01);
   EXPECT_EQ(set->choose(0.1 - 1e-12).p_m[0], 0);
   EXPECT_EQ(set->choose(0.1 + 1e-12).p_m[0], 1);
 }

@@ -1,5 +1,6 @@
 // Are luminous openings the bodies that they claim to be? Samples against what rays find: two ways that share no
-// formula. Chi-square tests have fixed seeds and a false-alarm rate of 1e-4 each.
+// formula. Chi-square tests have fixed seeds and a false-alarm rate of 1e-4 each; densities that are off by 4 %, root
+// mean square, are found in 97.7 of 100 cases.
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -10,6 +11,7 @@ namespace ups::test {
 namespace {
 
 constexpr int samples = 100000;
+constexpr double smallest_error = 0.04;  // of a density, that is found
 
 Vec3d on_sphere(Random& random) { return normalize(Vec3d(square_to_sphere(random.pair()))); }
 
@@ -83,7 +85,7 @@ TEST(LuminousBody, LooksAsLargeAsItsSilhouetteAndIsSampledEvenlyInIt) {
           rest_observed += observed[i], rest_expected += expected[i];
       }
       even_observed.push_back(rest_observed), even_expected.push_back(rest_expected);
-      if (even_expected.size() > 8) expect_fit(even_observed, even_expected);
+      if (even_expected.size() > 8) expect_fit(even_observed, even_expected, smallest_error);
     }
   }
 }
@@ -179,7 +181,7 @@ TEST(LuminousBody, NextEventEstimationTakesWhatRaysSeeWithItsDensity) {
       ASSERT_LE(filled_share, 1 + 1e-4);
       EXPECT_GT(filled_share, 0.2) << "too little of it can be judged";
       filled.push_back(rest), expected.push_back(0.9 * samples * std::max(0.0, 1 - filled_share));
-      expect_fit(filled, expected);
+      expect_fit(filled, expected, smallest_error);
     }
   }
 }

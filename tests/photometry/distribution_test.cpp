@@ -1,6 +1,6 @@
 // Is the interpolated intensity right, are its fluxes, and do samples follow it exactly? The expected numbers come from
 // quadrature of eval(), which shares no code with the sampler. Chi-square tests: fixed seeds, false-alarm rate 1e-4
-// each.
+// each; densities that are off by 1.9 %, root mean square, are found in 97.7 of 100 cases, by stratified numbers 1.4 %.
 #include "photometry/distribution.h"
 
 #include <gtest/gtest.h>
@@ -86,14 +86,17 @@ std::vector<double> observe(const Distribution& d, const Cells& cells, int sampl
 void expect_exact_sampling(const Distribution& d, std::vector<double> gamma_edges_deg, uint32_t seed) {
   for (double& g : gamma_edges_deg) g = rad(g);
   const Cells cells{std::move(gamma_edges_deg), 18};
-  constexpr int strata = 500, samples = strata * strata;
-  const std::vector<double> expected = cells.expected(d, samples);
-  const auto independent = ups::test::chi_square_test(observe(d, cells, samples, 0, seed), expected);
-  ASSERT_GT(independent.degrees_of_freedom, 8);
-  EXPECT_GT(independent.p_value, false_alarm) << independent.statistic << " / " << independent.degrees_of_freedom;
+  constexpr int strata = 500, samples = strata * strata, more = 2;
+  std::vector<double> expected = cells.expected(d, samples);
   // The map from the unit square is continuous but for lobes: stratified numbers give far less than random scatter.
   const auto stratified = ups::test::chi_square_test(observe(d, cells, samples, strata, seed + 1), expected);
   EXPECT_LT(stratified.statistic, 0.15 * stratified.degrees_of_freedom);
+  EXPECT_LE(std::sqrt(0.15 * stratified.degrees_of_freedom / samples), 0.014);
+  for (double& e : expected) e *= more;
+  const auto independent = ups::test::chi_square_test(observe(d, cells, more * samples, 0, seed), expected);
+  ASSERT_GT(independent.degrees_of_freedom, 8);
+  EXPECT_GT(independent.p_value, false_alarm) << independent.statistic << " / " << independent.degrees_of_freedom;
+  EXPECT_LE(ups::test::smallest_found(more * samples, independent.degrees_of_freedom, false_alarm), 0.019);
 }
 
 double smooth(double c, double g) { return 300 + 200 * std::cos(g) + 150 * std::sin(g) * std::cos(c - 0.7); }

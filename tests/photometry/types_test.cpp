@@ -1,5 +1,6 @@
 // Do tables of types A and B answer like the same lamp in type C, without resampling: intensity, both fluxes, sampling,
-// peak, mirror images? Chi-square tests: fixed seeds, false-alarm rate 1e-4 each.
+// peak, mirror images? Chi-square tests: fixed seeds, false-alarm rate 1e-4 each; densities that are off by 1.6 %, root
+// mean square, are found in 97.7 of 100 cases.
 #include <algorithm>
 #include <random>
 
@@ -80,7 +81,7 @@ TEST(Types, PeakIsInCGamma) {
 
 // Samples in cells of gamma and C, against quadrature of eval.
 void expect_exact_sampling(const Distribution& d, uint32_t seed) {
-  constexpr int rows = 12, columns = 18, fine = 40, samples = 250000;
+  constexpr int rows = 12, columns = 18, fine = 64, samples = 600000;
   std::vector<double> expected(rows * columns, 0.0), observed(rows * columns, 0.0);
   for (int i = 0; i < rows * fine; ++i)
     for (int j = 0; j < columns * fine; ++j) {
@@ -104,6 +105,7 @@ void expect_exact_sampling(const Distribution& d, uint32_t seed) {
   const auto result = ups::test::chi_square_test(observed, expected);
   ASSERT_GT(result.degrees_of_freedom, 20);
   EXPECT_GT(result.p_value, 1e-4) << result.statistic << " / " << result.degrees_of_freedom;
+  EXPECT_LE(ups::test::smallest_found(samples, result.degrees_of_freedom, 1e-4), 0.016);
 }
 
 TEST(Types, SamplingIsExact) {

@@ -71,7 +71,7 @@ TEST(FillGaps, FollowsARampWithoutLines) {
 
 // Noise of standard deviation 1 about 10, known at a 16th of 65536 pixels: the image's mean is that of what is known,
 // with a standard error of 1/64; squares of pixels at the same distance weigh a little unlike, so 5 of these. Chance of
-// a false alarm: 10^-6 with the seed fixed at its worst.
+// a false alarm: 10^-6 with the seed fixed at its worst; 7 of them, 1.1 % of the mean, are found in 97.7 of 100 cases.
 TEST(FillGaps, IsUnbiased) {
   Picture picture(256, 256, 16, 1);
   std::mt19937 random(5);

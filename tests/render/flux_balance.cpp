@@ -17,13 +17,13 @@ namespace {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 std::shared_ptr<const RenderResult> render(std::shared_ptr<Snapshot> scene, ups_method method = UPS_METHOD_UPS,
-                                           int threads = 2) {
+                                           int threads = 2, uint32_t paths = 1u << 16) {
   ups_render_desc d{};
   d.method = method;
   d.iteration_count = 4;
   d.seed = 1;
-  d.flux_paths = 1u << 16;
-  d.light_paths_per_iteration = 1u << 14;
+  d.flux_paths = paths;
+  d.light_paths_per_iteration = paths / 4;
   d.merge_radius_m = 0.1f;
   RenderJob job(std::move(scene), d, std::make_shared<ThreadPool>(threads));
   job.start();
@@ -37,13 +37,28 @@ constexpr const char* does_not_close = "the flux balance does not close";
 
 bool warns(const RenderResult& r) { return r.warnings.find(does_not_close) != std::string::npos; }
 
+// Within 4.6 standard errors, which Gaussian noise passes in 4 of 10^6, of at most 0.15 % of what is emitted: of what
+// roulette takes or gives 1 % is found in 97.7 of 100 cases, and 1e-6 of what is lost on the way, by the warning. In
+// glass that absorbs nothing a few paths that it never lets out decide: there the error is not limited.
 TEST(FluxBalance, ClosesInRoomsWithoutAFault) {
-  for (const ups_material_model model : {UPS_MATERIAL_MATTE, UPS_MATERIAL_GLASS, UPS_MATERIAL_MIRROR})
+  struct Case {
+    ups_material_model model;
+    float absorption_per_m;
+    uint32_t paths;
+    double error;
+  };
+  for (const Case& c : {Case{UPS_MATERIAL_MATTE, 0, 1u << 17, 0.0015}, {UPS_MATERIAL_MIRROR, 0, 1u << 17, 0.0015},
+                        {UPS_MATERIAL_GLASS, 0, 1u << 16, INFINITY}, {UPS_MATERIAL_GLASS, 0.1f, 1u << 15, 0.0015}})
     for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING}) {
-      const auto r = render(test::room(model), method);
+      const auto scene = test::room(c.model);
+      if (c.absorption_per_m > 0)
+        for (Material& m : scene->materials) m.absorption_per_m = Rgb(c.absorption_per_m);
+      const auto r = render(scene, method, 2, c.paths);
       EXPECT_FALSE(warns(*r)) << r->warnings;
       EXPECT_EQ(r->dropped, "");
       const ups_result_info& i = r->info;
+      EXPECT_GE(i.flux_balance_standard_error_lm, 0);
+      EXPECT_LE(i.flux_balance_standard_error_lm, c.error * i.emitted_flux_lm) << c.model << " " << method;
       EXPECT_LE(std::abs(i.emitted_flux_lm - i.absorbed_flux_lm - i.escaped_flux_lm),
                 4.6 * i.flux_balance_standard_error_lm + 1e-5 * i.emitted_flux_lm);
     }

@@ -122,6 +122,21 @@ TEST(Taught, EmittersFlushWithSurfacesKeepTheirLight) {
   }
 }
 
+// What emits to both sides has no side to be lifted to: up to a third of its light is lost (known limit), and that is
+// told, and no more off that plane.
+TEST(Taught, EmittersOfTwoSidesInAnothersPlaneAreWarnedOf) {
+  for (const bool both_sides : {true, false})
+    for (const double below : {0.0, 1e-3}) {
+      Scene scene;
+      scene.add(quad({-3, -3, 2.503}, {0, 6, 0}, {6, 0, 0}), matte(0.5));
+      auto panel = emitter(1000);
+      panel.emits_both_sides = both_sides;
+      scene.add(quad({2.7, -0.3, 2.503 - below}, {0, 0.6, 0}, {0.6, 0, 0}), panel);
+      const bool warned = scene_warnings(scene).find("emits to both sides, and lies in the plane") != std::string::npos;
+      EXPECT_EQ(warned, both_sides && below == 0) << both_sides << ", " << below;
+    }
+}
+
 // A luminaire whose luminous disc lies in the plane of its housing's bottom, 0 or 1 mm below it, or in an open housing:
 // I / (d^2 + r^2) on its axis. In a closed one it lights nothing, which is said.
 TEST(Taught, ALuminaireInsideItsOwnHousing) {

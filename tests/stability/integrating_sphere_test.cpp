@@ -40,9 +40,9 @@ struct Sphere {
 
   // As many iterations as the noise asks for. (Stated errors are those of the last render.)
   void expect(const Sensor& meters, uint32_t subset) {
-    const bool gathers = subset & (both_ends | UPS_TECHNIQUE_MERGE);
-    RenderOptions options{.iterations = 16, .merge_radius_m = 0.01, .light_paths = gathers ? 1u << 9 : 1u << 12,
-                          .techniques = subset};
+    const bool gathers = subset & both_ends, long_pairs = rho > 0.96 && (subset & UPS_TECHNIQUE_CONNECT);
+    RenderOptions options{.iterations = 16, .merge_radius_m = 0.01,
+                          .light_paths = !gathers ? 1u << 12 : long_pairs ? 1u << 8 : 1u << 9, .techniques = subset};
     const std::string what = "subset " + std::to_string(subset);
     const Result result = render_until_quiet(scene, options, 16u << 8, [&](const Result& r) {
       return r.statistics(meters).mean_standard_error_lx / (largest_noise * balance);

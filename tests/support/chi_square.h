@@ -4,7 +4,8 @@
 //   SphereCells cells(20, 40);
 //   observed[cells.index(direction)] += 1;                      // count all samples
 //   expected = cells.integrate([&](const Vec3d& d) { return pdf(Vec3(d)); }), times the number of samples
-//   chi_square_test(observed, expected).p_value
+//   const ChiSquareResult r = chi_square_test(observed, expected);
+//   r.p_value, and smallest_found(samples, r.degrees_of_freedom, level): what it is worth
 //
 // Samples that fail need a cell of their own, so that both vectors have the same total.
 #pragma once
@@ -81,6 +82,26 @@ inline ChiSquareResult chi_square_test(const std::vector<double>& observed, cons
   result.degrees_of_freedom = std::max(0, int(pools.size()) - 1);
   if (result.degrees_of_freedom > 0) result.p_value = gamma_q(0.5 * result.degrees_of_freedom, 0.5 * result.statistic);
   return result;
+}
+
+// What chance alone passes with probability `level`.
+inline double chi_square_quantile(int degrees_of_freedom, double level) {
+  double low = 0, high = 1;
+  while (gamma_q(0.5 * degrees_of_freedom, 0.5 * high) > level) low = high, high *= 2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (gamma_q(0.5 * degrees_of_freedom, 0.5 * middle) > level ? low : high) = middle;
+  }
+  return high;
+}
+
+// The smallest error of a density that a test of that level finds in 97.7 of 100 cases: relative, the root of its mean
+// square over the samples, as the cells see it. With an error e the statistic of n samples is chi-square with the
+// noncentrality n e^2 (Patnaik 1949), of mean k + n e^2 and variance 2 (k + 2 n e^2): the mean less two standard
+// deviations reaches what `level` allows. The true share is 97.8 to 99 cases, as the distribution leans to the right.
+inline double smallest_found(double samples, int degrees_of_freedom, double level) {
+  const double k = degrees_of_freedom, beyond = chi_square_quantile(degrees_of_freedom, level) - k;
+  return std::sqrt((beyond + 8 + std::sqrt(16 * beyond + 64 + 8 * k)) / samples);
 }
 
 // The level that each of `tests` tests must be held to, so that any of them fails by chance with probability `alpha`

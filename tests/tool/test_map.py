@@ -124,8 +124,10 @@ class Maps(test_program.ProgramTest):
         self.assertEqual(self.svg("view.svg")[1], self.svg("out/view_luminance.svg")[1])
         self.run_program("map", image, drawing, "--illuminance", "--map-threshold", 3, "--title", "view")
         self.assertEqual(self.svg("view.svg")[1], self.svg("out/view_illuminance.svg")[1])
-        self.expect_failure("map", image, drawing, "--map-threshold", 3, words=["--map-threshold-luminance", "cd/m2"])
-        self.expect_failure("map", image, drawing, "--illuminance", "--map-threshold-luminance", 3, words=["lux"])
+        self.expect_failure("map", image, drawing, "--map-threshold", 3, words=["--map-threshold-luminance", "cd/m2"],
+                            code=2)
+        self.expect_failure("map", image, drawing, "--illuminance", "--map-threshold-luminance", 3, words=["lux"],
+                            code=2)
         grid = os.path.join(out, "work_plane.exr")
         self.run_program("map", grid, drawing, "--map-threshold", 3)
         self.assertRegex(self.svg("view.svg")[1], r"Of 8 values, 3 lx is .*met at ")
@@ -141,8 +143,9 @@ class Maps(test_program.ProgramTest):
             error = self.run_program("map", file, out, *options, code=2).stderr
             for word in words:
                 self.assertIn(word, error)
-        self.expect_failure("map", file, out, "--illuminance", words=["--illuminance", "plane.csv", "table"])
-        self.expect_failure("map", self.write("x.exr", "x"), out, "--scene", "gone.gltf", words=["--scene", "x.exr"])
+        self.expect_failure("map", file, out, "--illuminance", words=["--illuminance", "plane.csv", "table"], code=2)
+        self.expect_failure("map", self.write("x.exr", "x"), out, "--scene", "gone.gltf", words=["--scene", "x.exr"],
+                            code=2)
         self.run_program("map", file, self.path("x.gif"), code=2)
         self.run_program("map", file, code=2)
         broken = {"line 3: has 2 of the 12 fields": table([(0, 0, 0, 5, 1)]) + "1,0\n",

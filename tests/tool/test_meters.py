@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 import need_numpy  # noqa: E402,F401
 import numpy as np  # noqa: E402
 import test_program  # noqa: E402
+from expect_lx import expect_lx  # noqa: E402
 from exr import read_channels  # noqa: E402
 
 CANDELA, HEIGHT = 100, 2
@@ -69,13 +70,18 @@ class Meters(test_program.ProgramTest):
         scene = self.write("room.gltf", black_floor(meters, **where))
         return json.loads(self.run_program("info", scene, "--json").stdout)["files"][0]["sensors"][0]
 
+    def expect_flux(self, lm):
+        """Of all meters, which lie on 8 m2."""
+        expect_lx(lm, 8 * self.report["meters"]["set"]["mean_standard_error_lx"], flux_on_floor(), "flux", 0.001)
+
     def test_a_disc_is_the_mean_over_it(self):
         radius = 0.8
         row, = self.rows({"points_m": [[0, 0, 0.5]], "footprint_m": 2 * radius}, iterations=256)
         h = HEIGHT - 0.5
         expected = CANDELA * 2 * (1 - h / math.hypot(h, radius)) / radius ** 2
+        # Fails for less than 0.12 % of seeds (t of 15 degrees of freedom); finds 0.7 % in 97 cases of 100 and more.
+        self.assertTrue(0 <= row["standard_error_lx"] < 1e-3 * expected, row)
         self.assertLess(abs(row["illuminance_lx"] - expected), 4 * row["standard_error_lx"] + 1e-3 * expected)
-        self.assertLess(row["standard_error_lx"], 3e-3 * expected)
 
     def test_a_line_has_both_ends(self):
         rows = self.rows({"line": {"from_m": [-1, 0, 0.5], "to_m": [1, 0, 0.5], "count": 5}})
@@ -102,12 +108,12 @@ class Meters(test_program.ProgramTest):
         self.assertEqual(rows[2]["illuminance_lx"], 0)
         self.assertEqual(rows[0]["nz"], 1)
         for row in rows[:2]:  # each has half of the flux
-            self.assertLess(abs(4 * row["illuminance_lx"] / (flux_on_floor() / 2) - 1), 0.01)
+            expect_lx(4 * row["illuminance_lx"], 4 * row["standard_error_lx"], flux_on_floor() / 2, "half", 0.001)
         # A triangle without area is nowhere: the map of the table is of the others.
         error = self.run_program("map", os.path.join(self.path("out"), "set.csv"), self.path("x.svg"), code=1).stderr
         self.assertIn("one line", error, "two points are left")
         statistics = self.report["meters"]["set"]
-        self.assertLess(abs(8 * statistics["mean_lx"] / flux_on_floor() - 1), 0.01)
+        self.expect_flux(8 * statistics["mean_lx"])
         self.assertGreater(statistics["min_lx"], 0)
         self.assertEqual(self.info({"surface": True}, node_of_floor=True)["layout"], "surface")
 
@@ -123,8 +129,7 @@ class Meters(test_program.ProgramTest):
         self.assertTrue((image["error_bound.Y"] >= np.abs(image["bias.Y"])).all())
         for name in ("Y", "standard_error.Y", "area", "valid", "position.X"):
             np.testing.assert_array_equal(image[name][:, 12:], 0, err_msg=name)
-        flux = (image["Y"] * image["area"]).sum()
-        self.assertLess(abs(flux / flux_on_floor() - 1), 0.01)
+        self.expect_flux(float((image["Y"] * image["area"]).sum()))
         self.assertAlmostEqual(float(image["position.X"][0, 0]), -2 + 2 / 12, places=5)
         self.assertAlmostEqual(float(image["position.Y"][0, 0]), -1 + 1 / 8, places=5)  # v = 0 at the top, south
         row = rows[12 * 3 + 5]

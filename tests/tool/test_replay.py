@@ -45,7 +45,7 @@ class Replay(test_program.ProgramTest):
         column, row = (int(n) for n in sample["address"].split("/")[1].split(","))
         self.assertEqual(sample["index"], row * 24 + column)
         self.expect_failure("replay", self.scene, "--size", "8x8", "--sample", "view/20,3/0/eye/0/7",
-                            words=["20,3", "no index of view"])
+                            words=["20,3", "no index of view"], code=2)
 
     def test_what_is_printed_traces_that_sample(self):
         """Of a render with options of its own, in a file with a blank."""
@@ -96,10 +96,11 @@ class Replay(test_program.ProgramTest):
             self.assertIn(word, words)
 
     def test_a_wrong_address_says_what_is_wrong(self):
-        for address, words in (("moon/0/0/eye/0/1", ["moon", "there are", "spot"]), ("spot/x/0/eye/0/1", ["'x'"]),
-                               ("spot/999/0/eye/0/1", ["999"]), ("spot/0/0/light/4096/1", ["no such path"])):
+        for address, words in (("moon/0/0/eye/0/1", ["moon", "there are", "spot"]), ("spot/x/0/eye/0/1", ["'x'"])):
             with self.subTest(address=address):
-                self.expect_failure("replay", self.scene, "--sample", address, *self.method, words=words)
+                self.expect_failure("replay", self.scene, "--sample", address, *self.method, words=words, code=2)
+        for address, words in (("spot/999/0/eye/0/1", ["999"]), ("spot/0/0/light/4096/1", ["no such path"])):
+            self.expect_failure("replay", self.scene, "--sample", address, *self.method, words=words)
         for address, words in (("spot", ["NAME/INDEX"]), ("spot/0/0/up/0/1", ["'up'", "eye"]),
                                ("spot/0/0/eye/0/-1", ["'-1'"])):
             with self.subTest(address=address):

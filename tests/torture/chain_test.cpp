@@ -64,7 +64,7 @@ TEST(Torture, ALightGuideOfGlass) {
             .truth_lx = pi_d * luminance * guided(side, 1, 0.001, 1.5),
             .truth_error = 5e-4,
             .noise = fast_or_full(0.0075, 0.0016)}},
-          {.sppm_factor = fast_or_full(2u, 8u)});
+          {.sppm_factor = fast_or_full(2u, 8u), .balance_error = 0.01});
 }
 
 // Of a mirror's reflectance to the power of the reflections; by symmetry each axis has its own mean over the places.
@@ -87,7 +87,7 @@ TEST(Torture, ADuctOfMirrorsThatLoseAThousandth) {
   const Sensor end = add_cells(duct, {0, 0, 1}, {0, side, 0}, {side, 0, 0}, 4);
   add_small_camera(duct, {0.025, 0.025, 1.2}, {0, 0, -1});
   survive("duct of mirrors", duct, {{end, pi_d * luminance * through_duct(side, 1, reflectance), 2e-4}},
-          {.sppm_factor = fast_or_full(4u, 8u)});
+          {.sppm_factor = fast_or_full(4u, 8u), .balance_error = 0.01});
 }
 
 // E / (pi L) over cells at x = 0.3, 3.6 m wide, from an emitter of 2 m at 0.15, between mirrors of 4 m at 0 and 0.5.

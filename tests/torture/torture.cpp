@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "all_outputs.h"
+
 namespace ups::test {
 
 namespace {
@@ -73,26 +75,29 @@ uint64_t seed_of(const std::string& name, ups_method method) {
   return seed % 1000003;
 }
 
-// Standard errors that the balance is off, beyond 1e-6 of what is emitted.
-double off_balance(const Result& r, const std::string& what) {
+// Standard errors that the balance is off, beyond 1e-6 of what is emitted; largest: they are at most, relative to that.
+double off_balance(const Result& r, double largest, const std::string& what) {
   const ups_result_info i = r.info();
   const double missing = i.emitted_flux_lm - i.absorbed_flux_lm - i.escaped_flux_lm,
                s = i.flux_balance_standard_error_lm;
-  std::printf("%s: %.2f s, balance %9.2e of %8.2e lm\n", what.c_str(), i.elapsed_s, missing, s);
+  std::printf("%s: %.2f s, %.3g rays, balance %9.2e of %8.2e lm, s %.3f %% of what is emitted\n", what.c_str(),
+              i.elapsed_s, double(i.rays), missing, s, 100 * s / i.emitted_flux_lm);
   EXPECT_GE(s, 0) << what << ": no books of flux";
+  EXPECT_LE(s, largest * i.emitted_flux_lm) << what << ": books too noisy to judge";
   const double beyond = std::max(0.0, std::abs(missing) - 1e-6 * i.emitted_flux_lm);
   return beyond > 0 ? beyond / s : 0;
 }
 
 // One render in 111 is beyond 3 standard errors by chance, as 16 batches tell them: it is repeated with other numbers.
 // Beyond 5.3 is one in 10,000: of a hundred none should be.
-void expect_balance(Scene& scene, RenderOptions options, const Result& first, const std::string& what) {
-  const double off = off_balance(first, what);
+void expect_balance(Scene& scene, RenderOptions options, const Result& first, double largest,
+                    const std::string& what) {
+  const double off = off_balance(first, largest, what);
   EXPECT_LE(off, 5.3) << what;
   if (off <= 3) return;
   options.seed += 1000003;
   options.iterations *= 2;
-  EXPECT_LE(off_balance(scene.render(options), what + " again"), 3) << what;
+  EXPECT_LE(off_balance(scene.render(options), largest, what + " again"), 3) << what;
 }
 
 bool is_among(ups_method method, const std::vector<ups_method>& methods) {
@@ -113,12 +118,12 @@ class Trial {
                       .merge_radius_m = options_.merge_radius_m,
                       .light_paths = options_.light_paths,
                       .separation = options_.separation,
-                      .flux_paths = 1u << 12};
+                      .flux_paths = fast_or_full(1u << 14, 1u << 16)};
       if (method == UPS_METHOD_SPPM) o.light_paths *= options_.sppm_factor, o.merge_radius_m = options_.sppm_radius_m;
       results.push_back(render_until_quiet(scene_, o, full() ? 4096 : o.iterations,
                                            [&](const Result& r) { return excess(r, method); }));
       read_the_rest(results.back(), judged_);
-      expect_balance(scene_, o, results.back(), what(method));
+      expect_balance(scene_, o, results.back(), options_.balance_error, what(method));
     }
   }
   void judge() const {
@@ -189,6 +194,8 @@ std::vector<Result> survive(const std::string& name, Scene& scene, const std::ve
   Trial trial(name, scene, judged, options);
   trial.render();
   trial.judge();
+  read_all_outputs(scene, judged.front().meters,
+                   {.iterations = 8, .merge_radius_m = options.merge_radius_m, .light_paths = options.light_paths});
   return std::move(trial.results);
 }
 

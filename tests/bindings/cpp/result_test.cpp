@@ -71,7 +71,7 @@ TEST(Results, OfSourcesApartAddUp) {
   ASSERT_EQ(own.size(), all.size());
   EXPECT_EQ(std::memcmp(own.data(), all.data(), all.size() * sizeof all[0]), 0);
   for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(first[i].illuminance_lx + other[i].illuminance_lx, all[i].illuminance_lx, 1e-3 * all[i].illuminance_lx);
+    EXPECT_NEAR(first[i].illuminance_lx + other[i].illuminance_lx, all[i].illuminance_lx, 1e-5 * all[i].illuminance_lx);
 }
 
 template <class R, class = void>
@@ -109,7 +109,8 @@ TEST(Results, OfCameras) {
   EXPECT_EQ(std::vector<float>(own.begin(), own.end()), rgb);
   const auto depth = result.read_image(room.camera, UPS_CHANNEL_DEPTH, 8, 6);
   ASSERT_EQ(depth.size(), 8u * 6);
-  EXPECT_NEAR(depth[8 * 3 + 4], 3.5, 0.3) << "straight on, to the wall";
+  // 3.5 m to the wall, 3.543 in the pixel's mean, of which 8 rays have a standard error of 0.3 % at most.
+  EXPECT_NEAR(depth[8 * 3 + 4], 3.543, 0.035) << "straight on, to the wall";
   EXPECT_EQ(result.read_image(room.camera, UPS_CHANNEL_NORMAL, 8, 6).size(), 8u * 6 * 3);
   EXPECT_EQ(result.read_image(room.camera, UPS_CHANNEL_LUMINANCE_RGB), rgb);
   EXPECT_EQ(result.image_size(room.camera).width, 8u);
@@ -151,7 +152,7 @@ TEST(Results, OfGoniometersAreProfiles) {
   EXPECT_GT(intensity[0].intensity_cd, 500);
   EXPECT_GT(result.get_goniometer_beam(goniometer, 0, 0.5f).angle_deg, 60);
   EXPECT_NEAR(result.get_goniometer_profile(goniometer).get_info().interpolated_flux_lm, info.flux_lm,
-              0.05 * info.flux_lm);
+              1e-5 * info.flux_lm);
 }
 
 TEST(Results, OfObserversNameTheirSources) {

@@ -1,5 +1,5 @@
 // Do the C# binding's profiles, fixtures, goniometers and sources work, against light that is known? The rest of
-// BindingTest.cs. Seeds are fixed; deviations are held against the reported standard errors.
+// BindingTest.cs. Seeds are fixed; deviations are held against the reported standard errors (ExpectInNoise).
 using System;
 using System.Text;
 using Ups;
@@ -67,7 +67,7 @@ public sealed partial class BindingTest
                                              rectangle))
         {
             Expect(panel.UgrTable().Crosswise[50] == panel.UgrTable().Endwise[50], "a table of a round distribution");
-            ExpectNear(panel.DataSheet().FluxCode[1], 50, 0.01, "half of the hemisphere's light within 60 degrees");
+            ExpectNear(panel.DataSheet().FluxCode[1], 50, 2e-4, "half of the hemisphere's light within 60 degrees");
             Expect(panel.DataSheet(90).NemaHorizontal == 7, "a wide beam");
             Expect(panel.Utilisation().Factors[0] > panel.Utilisation().Factors[9], "reflections are of use");
             var white = MaterialDesc.Create();
@@ -111,7 +111,7 @@ public sealed partial class BindingTest
     }
 
     /// <summary>A fixture alone, alike in all planes.</summary>
-    private static Result Measure(Context context, Fixture fixture, out SensorId sensor)
+    private static Result Measure(Context context, Fixture fixture, out SensorId sensor, uint iterations = 32)
     {
         using (var scene = new Scene(context))
         {
@@ -121,13 +121,19 @@ public sealed partial class BindingTest
             goniometer.GammaCount = 37;
             sensor = scene.AddGoniometer(goniometer, new float[] { 0 });
             scene.Commit();
-            var desc = Iterations(32);
+            var desc = Iterations(iterations);
             desc.LightPathsPerIteration = 8192;
             return scene.Render(desc);
         }
     }
 
-    /// <summary>t of 15 degrees of freedom: beyond 5 in 1 of 6000 seeds.</summary>
+    /// <summary>t of 15 degrees of freedom: beyond 5 in 1 of 6000 seeds; 1 % is found in 97 cases of 100.</summary>
+    private static void ExpectInNoise(double value, double error, double expected, double modelError, string what)
+    {
+        Expect(error >= 0 && error < 0.0014 * expected, what + ": standard error " + error);
+        Expect(Math.Abs(value - expected) < 5 * error + modelError, what + ": " + value + ", not " + expected);
+    }
+
     private static void ExpectOutputRatio(Context context, Fixture fixture, double expected, double modelError,
                                           string what)
     {
@@ -136,10 +142,7 @@ public sealed partial class BindingTest
         using (var result = Measure(context, fixture, out sensor))
         {
             var info = result.GoniometerInfo(sensor);
-            var error = info.LightOutputRatioStandardError;
-            Expect(error < 1e-3, what + ": standard error " + error);
-            Expect(Math.Abs(info.LightOutputRatio - expected) < 5 * error + modelError,
-                   what + ": " + info.LightOutputRatio + ", not " + expected);
+            ExpectInNoise(info.LightOutputRatio, info.LightOutputRatioStandardError, expected, modelError, what);
         }
     }
 
@@ -148,7 +151,7 @@ public sealed partial class BindingTest
     {
         SensorId sensor;
         using (var fixture = Emitter(context))
-        using (var result = Measure(context, fixture, out sensor))
+        using (var result = Measure(context, fixture, out sensor, 64))
         {
             ExpectNear(fixture.Info.FluxLm, 1000, 1e-9, "flux of the emitter");
             var readings = result.Goniometer(sensor);
@@ -158,8 +161,7 @@ public sealed partial class BindingTest
             var step = Math.PI / 36;
             var mean = (0.25 - Math.Sin(2 * step) / (8 * step)) / (1 - Math.Sin(step) / step);
             ExpectNear(mean, 0.9989, 1e-4, "the mean itself");
-            Expect(Math.Abs(nadir.IntensityCd - mean * 1000 / Math.PI) < 5 * nadir.StandardErrorCd &&
-                   nadir.StandardErrorCd < 3, "flux / pi: " + nadir.IntensityCd);
+            ExpectInNoise(nadir.IntensityCd, nadir.StandardErrorCd, mean * 1000 / Math.PI, 0, "flux / pi");
             float[] planes, gammas;
             result.GoniometerAngles(sensor, out planes, out gammas);
             Expect(planes.Length == 1 && gammas.Length == 37 && gammas[36] == 180, "angles");
@@ -249,8 +251,8 @@ public sealed partial class BindingTest
                 ExpectNear(sources[1].FluxLm, 1000, 1e-5, "flux of a group");
                 var apart = result.SourceMeters(meters);
                 var ofFixture = apart[1][0];
-                Expect(Math.Abs(ofFixture.IlluminanceLx - 1000 / Math.PI / 4) < 5 * ofFixture.StandardErrorLx + 1e-4 &&
-                       ofFixture.StandardErrorLx < 1, "light of the fixture: " + ofFixture.IlluminanceLx);
+                ExpectInNoise(ofFixture.IlluminanceLx, ofFixture.StandardErrorLx, 1000 / Math.PI / 4, 1e-4,
+                              "light of the fixture");
                 ExpectNear(apart[0][0].IlluminanceLx + ofFixture.IlluminanceLx, result.Meters(meters)[0].IlluminanceLx,
                            1e-5, "sum of the sources");
             }
