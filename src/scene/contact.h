@@ -64,7 +64,7 @@ class TouchableParts {
   // is as it will be in the scene. The lists are those of the scene.
   void trace(const std::vector<const Contact*>& contacts, const std::vector<std::shared_ptr<const Mesh>>& meshes,
              const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, Monitor& monitor);
-  void forget_trace() { raytracer_.reset(); }
+  void forget_trace() { raytracer_.reset(), traced_.clear(); }
   void search(const std::vector<EmittingPoint>& points, Contact& out) const;
   // Is something else between an emitter that is set back and where it was?
   bool is_blocked(const std::vector<EmittingPoint>& points, const Contact& contact, const Raytracer& all,

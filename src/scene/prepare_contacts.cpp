@@ -155,6 +155,7 @@ void Builder::trace_surfaces(const TouchableParts& touchable) {
   for (auto& [key, contact] : out_->contacts)
     if (contact.is_moved()) moved.push_back(&contact);
   parallel_for(threads_, moved.size(), [&](size_t i) {
+    monitor_.check();
     moved[i]->blocked = touchable.is_blocked(points_of(*moved[i]), *moved[i], *out_->raytracer, out_->instances);
   });
   if (std::none_of(moved.begin(), moved.end(), [](const Contact* c) { return c->blocked; })) return;

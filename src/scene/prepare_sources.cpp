@@ -176,6 +176,7 @@ void Builder::add_emissive_instances() {
     out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
     out_->sources.back().of_fixture = described.of_fixture;
     bound(out_->sources.back(), mesh, instances[i].to_scene);
+    if (both_sides && probe.lies_in_another < 0) probe.lies_in_another = lies_in_another(*out_, *emitter, i);
     const auto index = uint32_t(emitters_.size());
     const UnitEmitter unit = [emitter, both_sides] {
       return std::make_unique<AreaEmitter>(*emitter, Rgb(1), both_sides);
@@ -183,9 +184,10 @@ void Builder::add_emissive_instances() {
     in_context(name, [&] {
       if (!add_emitter(name, emitter, unit, s.ray_origin(s.ng), probe))
         return warn_of(out_->sources.back(), "a luminance but no area: nothing is emitted");
-      if (both_sides && lies_in_another(*out_, *emitter, i))
-        warn_of(out_->sources.back(), "it emits to both sides, and lies in the plane of another surface, which some of the "
-                                      "rays to it meet first: part of its light is lost; move it off that surface");
+      if (probe.lies_in_another == 1)
+        warn_of(out_->sources.back(),
+                "it emits to both sides, and lies in the plane of another surface, which some of the rays to it meet "
+                "first: part of its light is lost; move it off that surface");
       contact_of_source();
       out_->emitter_of_instance[i] = index;
       ++out_->emissive_instance_count;
@@ -195,6 +197,7 @@ void Builder::add_emissive_instances() {
 
 void Builder::add_sources() {
   in_.sources().each([&](uint32_t id, const SourceDescription& source) {
+    monitor_.check();
     const std::string name = "luminaire " + std::to_string(id);
     out_->sources.push_back(source_of(source, id));
     in_context(name, [&] {

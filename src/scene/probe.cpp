@@ -48,34 +48,61 @@ Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame) {
 
 namespace {
 
-// Of a source's light: what leaves to one side of a plane through it, and what of that meets something.
-struct SideLight {
-  double flux = 0, met = 0;
+// A source on a plane: the shares of its light that leave to the front and to the back.
+class Sides {
+ public:
+  Sides(const Snapshot& scene, const Emitter& emitter, const Vec3& p, const Vec3& n, float lift)
+      : scene_(scene), emitter_(emitter), p_(p), n_(n), lift_(lift) {
+    each([&](const Vec3&, bool behind, double flux) { flux_[behind] += flux; });
+    const double all = flux_[0] + flux_[1];
+    for (double& f : flux_) f = all > 0 ? f / all : 0.5;
+  }
+  double share(bool behind) const { return flux_[behind]; }
+
+  // Nearly all of the light decides; else what it meets, as a lamp on a floor lights the room and not what is below it.
+  // Between two rooms the front is meant.
+  bool is_behind() const {
+    constexpr double nearly_all = 0.9, more = 1.25, least = 0.15;
+    for (const bool behind : {false, true})
+      if (flux_[behind] >= nearly_all) return behind;
+    double met[2] = {}, sum[2] = {};
+    // The inside of a slab or a plinth is no room: lengths are measured across the plane.
+    const float narrow = std::min(1.0f, scene_.radius / 2);
+    each([&](const Vec3& direction, bool behind, double flux) {
+      sum[behind] += flux;
+      // Beyond another wall that it lies on, too.
+      const Vec3 origin = p_ + n_ * (behind ? -lift_ : lift_) + direction * (4 * lift_);
+      Hit hit;
+      if (!intersect_beyond_panes(scene_, origin, direction, hit)) return;
+      if (std::abs(dot(scene_.raytracer->surface_at(hit).p - p_, n_)) > narrow) met[behind] += flux;
+    });
+    return met[1] > more * met[0] + least * sum[1];
+  }
+
+ private:
+  template <class Visit>
+  void each(const Visit& visit) const {
+    constexpr uint32_t count = 256;
+    for (uint32_t i = 0; i < count; ++i) {
+      const auto u = philox({i, 4, 0, 0}, {0, 0});
+      const Vec2 direction((float(i) + 0.5f) / count, to_unit_float(u[0]));
+      EmissionSample s;
+      if (!emitter_.sample_emission({0.5f, 0.5f}, direction, s)) continue;
+      visit(s.direction, dot(s.direction, n_) < 0, double(luminance(s.flux)));
+    }
+  }
+
+  const Snapshot& scene_;
+  const Emitter& emitter_;
+  Vec3 p_, n_;
+  float lift_;
+  double flux_[2] = {};
 };
 
-void look_to_sides(const Snapshot& scene, const Emitter& emitter, const Vec3& p, const Vec3& n, float lift,
-                   SideLight (&sides)[2]) {
-  constexpr uint32_t count = 256;
-  for (uint32_t i = 0; i < count; ++i) {
-    const auto u = philox({i, 4, 0, 0}, {0, 0});
-    EmissionSample s;
-    if (!emitter.sample_emission({0.5f, 0.5f}, {(float(i) + 0.5f) / count, to_unit_float(u[0])}, s)) continue;
-    const bool behind = dot(s.direction, n) < 0;
-    const double flux = double(luminance(s.flux));
-    sides[behind].flux += flux;
-    Hit hit;
-    if (intersect_beyond_panes(scene, p + n * (behind ? -lift : lift), s.direction, hit)) sides[behind].met += flux;
-  }
-}
-
-// What lies on glass is outside. Else most of the light decides, and where it goes both ways alike, what it meets: a
-// lamp on a floor lights the room, not what is below. Of rooms on both sides that of the front is meant.
-bool is_behind(const SideLight (&sides)[2], bool glass) {
-  constexpr double more = 1.25;
-  if (glass) return false;
-  if (sides[0].flux > more * sides[1].flux || sides[1].flux > more * sides[0].flux)
-    return sides[1].flux > sides[0].flux;
-  return sides[1].met > more * sides[0].met;
+bool lets_light_by(const Snapshot& scene, const SurfacePoint& s) {
+  const Material& material = scene.materials[s.material];
+  return scene.panes.is_crossed(s.instance) || material.model == MaterialModel::glass ||
+         material.model == MaterialModel::glazing || Bsdf(material, s.uv).transmits_continuously();
 }
 
 }  // namespace
@@ -83,7 +110,7 @@ bool is_behind(const SideLight (&sides)[2], bool glass) {
 SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& emitter) {
   const float reach = 0x1p-17f * scene.radius, own = free_error(p);
   SourcePlace out{p, 0};
-  constexpr int lines = 6, passes = 2;  // a surface is crossed by two of three lines at least; one may hide another
+  constexpr int lines = 6, passes = 2;  // a plane is crossed by one axis at least; what is met first may hide another
   for (int k = 0; k < lines * passes && reach > 0; ++k) {
     const float sign = k % 2 == 0 ? 1.0f : -1.0f;
     const Vec3 u(k / 2 % 3 == 0 ? sign : 0, k / 2 % 3 == 1 ? sign : 0, k / 2 % 3 == 2 ? sign : 0);
@@ -91,33 +118,32 @@ SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& em
     if (!scene.raytracer->intersect(out.p - u * reach, u, 2 * reach, hit)) continue;
     const SurfacePoint s = scene.raytracer->surface_at(hit);
     const float height = dot(out.p - s.p, s.ng), rounding = own + s.error;
-    if (!(std::abs(height) < 2 * rounding)) continue;
-    SideLight sides[2];
-    look_to_sides(scene, emitter, out.p - s.ng * height, s.ng, 2 * rounding, sides);
-    const Material& material = scene.materials[s.material];
-    const bool glass = material.model == MaterialModel::glass, behind = is_behind(sides, glass);
+    if (!(std::abs(height) < 1.9f * rounding)) continue;  // 2: it has been moved off this one
+    const Sides sides(scene, emitter, out.p - s.ng * height, s.ng, 2 * rounding);
+    // What lies on glass is outside.
+    const bool glass = scene.materials[s.material].model == MaterialModel::glass,
+               behind = glass ? scene.media.is_inside_out(s.instance) : sides.is_behind();
     out.p = out.p + s.ng * ((behind ? -2 : 2) * rounding - height);
-    const double all = sides[0].flux + sides[1].flux;
-    if (all > 0 && !Bsdf(material, s.uv).transmits_continuously() && !glass && !scene.panes.is_crossed(s.instance))
-      out.into_surface = std::max(out.into_surface, float(sides[!behind].flux / all));
+    if (!lets_light_by(scene, s)) out.into_surface = std::max(out.into_surface, float(sides.share(!behind)));
   }
   return out;
 }
 
 bool lies_in_another(const Snapshot& scene, const Emitter& emitter, uint32_t instance) {
   constexpr uint32_t count = 64;
-  const float away = 0x1p-7f * scene.radius;
   for (uint32_t i = 0; i < count; ++i) {
     const auto u = philox({i, 5, 0, 0}, {0, 0});
     EmissionSample s;
     if (!emitter.sample_emission({(float(i) + 0.5f) / count, to_unit_float(u[0])},
                                  {to_unit_float(u[1]), to_unit_float(u[2])}, s))
       continue;
+    const float away = 64 * s.error / std::max(s.cos_0, 0.1f);
     Hit hit;
     if (!scene.raytracer->intersect(s.p + s.direction * away, -s.direction, 2 * away, hit) || hit.instance == instance)
       continue;
     const SurfacePoint other = scene.raytracer->surface_at(hit);
-    if (std::abs(dot(other.p - s.p, s.n)) <= 2 * (s.error + other.error) && std::abs(dot(other.ng, s.n)) > 0.9999f)
+    if (std::abs(dot(other.p - s.p, s.n)) <= 2 * (s.error + other.error) && std::abs(dot(other.ng, s.n)) > 0.9999f &&
+        !lets_light_by(scene, other))
       return true;
   }
   return false;

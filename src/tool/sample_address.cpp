@@ -54,7 +54,8 @@ std::string parse_address(const std::string& address, Address& out) {
 }
 
 bool parse_index(const SensorEntry& sensor, const std::string& text, uint32_t& index) {
-  if (sensor.info.kind != SensorKind::camera) return parse(text, index);
+  if (sensor.info.kind != SensorKind::camera)
+    return parse(text, index) && (sensor.info.kind != SensorKind::meters || index < sensor.info.meter_count);
   const size_t comma = text.find(',');
   uint32_t column, row;
   if (comma == std::string::npos || !parse(text.substr(0, comma), column) || !parse(text.substr(comma + 1), row) ||

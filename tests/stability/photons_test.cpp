@@ -136,7 +136,7 @@ TEST(Hazard22, MillionsOfPhotonsOnOneMeter) {
   scene.add_spot({0, 0, 1}, {0, 0, -1}, candela, cone, cone * 1.0001);
   const Sensor meters = scene.add_meters({P3{0, 0, 0}}, {0, 0, 1});
   const Result r = scene.render({.method = UPS_METHOD_PPM,
-                                 .iterations = fast_or_full(16u, 128u),
+                                 .iterations = fast_or_full(16u, 32u),
                                  .light_paths = fast_or_full(1u << 18, 1u << 20)});
   EXPECT_EQ(r.info().merges, r.info().light_paths);
   const auto reading = r.readings(meters)[0];

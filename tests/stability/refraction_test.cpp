@@ -66,12 +66,15 @@ struct Square {
   }
   // Pairs within 0.5 % (see expect_same.h); in the full form within 0.3 %, 3 standard errors of a difference where both
   // are at their limit of 0.07 %: then an error of 0.6 % is found in 99 cases of 100, and a pair at its limit gives a
-  // false alarm with P(|t_30| > 3) = 0.5 %.
-  void judge(Scene& scene, std::vector<Trial> trials) {
-    for (Trial& t : trials) t.options.iterations *= full() ? 4 : 1;
-    expect_same(scene, trials, points, cells, expected_points, expected_cells, full() ? Limits{0.0007, 0.003} : usual);
+  // false alarm with P(|t_30| > 3) = 0.5 %. Where noise falls slowly, behind rough interfaces and in
+  // the cube, the limit is 0.1 %, and 0.75 % is found.
+  void judge(Scene& scene, std::vector<Trial> trials, double full_error = 0.0007) {
+    for (Trial& t : trials) t.options.iterations *= !full() ? 1 : full_error < 0.001 ? 4 : 2;
+    expect_same(scene, trials, points, cells, expected_points, expected_cells,
+                full() ? Limits{full_error, 0.003} : usual);
   }
 };
+constexpr double costly = 0.001;  // limit of noise in the full form
 
 constexpr double luminance = 1000, lamp_radius = 0.5;
 Shape lamp(double z, double facing) { return disc({0, 0, z}, {0, 0, facing}, lamp_radius, 512); }
@@ -173,7 +176,7 @@ TEST(Hazard14, MetersInACubeUnderASky) {
       seen += std::max({r * std::abs(std::cos(phi)), r * std::abs(std::sin(phi)), std::sqrt(1 - r * r)}) > limit;
     }
   square.expect([&](double) { return pi_d * n * n * luminance * seen / steps / steps; });
-  square.judge(scene, smooth_trials(0.06, {.pt = 20, .lt = 40, .ups = 36, .ppm = 40}));
+  square.judge(scene, smooth_trials(0.06, {.pt = 18, .lt = 40, .ups = 34, .ppm = 40}), costly);
 }
 
 // The same water, ground: no closed form, but the two walks must agree on what a rough interface lets through.
@@ -182,7 +185,7 @@ TEST(Hazard14, MetersUnderRoughWater) {
   scene.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), glass(1.33, 0.4));
   scene.add(lamp(0.1, -1), emitter(luminance));
   Square(scene, -0.15, 1).judge(
-      scene, rough_trials({.pt = 48, .lt = 16, .ups = 32, .ppm = 20, .bpt = 48, .merging = 48}));
+      scene, rough_trials({.pt = 48, .lt = 16, .ups = 32, .ppm = 20, .bpt = 48, .merging = 48}), costly);
 }
 TEST(Hazard14, RoughAbsorbingSlabBetween) {
   Scene scene;
@@ -191,7 +194,7 @@ TEST(Hazard14, RoughAbsorbingSlabBetween) {
   scene.add(box({-5, -5, 0}, {5, 5, 0.1}), block);
   scene.add(lamp(0.15, -1), emitter(luminance));
   Square(scene, -0.1, 1).judge(
-      scene, rough_trials({.pt = 24, .lt = 16, .ups = 48, .ppm = 20, .bpt = 32, .merging = 40}));
+      scene, rough_trials({.pt = 30, .lt = 80, .ups = 100, .ppm = 120, .bpt = 40, .merging = 140}), costly);
 }
 
 }  // namespace

@@ -96,11 +96,12 @@ class Replay(test_program.ProgramTest):
             self.assertIn(word, words)
 
     def test_a_wrong_address_says_what_is_wrong(self):
-        for address, words in (("moon/0/0/eye/0/1", ["moon", "there are", "spot"]), ("spot/x/0/eye/0/1", ["'x'"])):
+        for address, words in (("moon/0/0/eye/0/1", ["moon", "there are", "spot"]), ("spot/x/0/eye/0/1", ["'x'"]),
+                               ("spot/999/0/eye/0/1", ["'999'", "no index of spot"])):
             with self.subTest(address=address):
                 self.expect_failure("replay", self.scene, "--sample", address, *self.method, words=words, code=2)
-        for address, words in (("spot/999/0/eye/0/1", ["999"]), ("spot/0/0/light/4096/1", ["no such path"])):
-            self.expect_failure("replay", self.scene, "--sample", address, *self.method, words=words)
+        self.expect_failure("replay", self.scene, "--sample", "spot/0/0/light/4096/1", *self.method,
+                            words=["no such path"])
         for address, words in (("spot", ["NAME/INDEX"]), ("spot/0/0/up/0/1", ["'up'", "eye"]),
                                ("spot/0/0/eye/0/-1", ["'-1'"])):
             with self.subTest(address=address):

@@ -28,8 +28,8 @@ void read_observer(const Result& result, const Sensor& eye) {
     ups_glare_source s{};
     s.struct_size = sizeof s;
     check(ups_result_get_glare_source(result.get(), eye.id, i, &s), "ups_result_get_glare_source");
-    require_finite({s.luminance_cd_m2, s.solid_angle_sr, s.intensity_cd, s.distance_m, s.visible_share, s.position_index,
-                    s.share}, "glare source");
+    require_finite({s.luminance_cd_m2, s.solid_angle_sr, s.intensity_cd, s.distance_m, s.visible_share,
+                    s.position_index, s.share}, "glare source");
   }
 }
 

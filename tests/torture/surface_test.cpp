@@ -55,7 +55,7 @@ Together together(const std::vector<ups_meter_statistics>& methods) {
   double weights = 0;
   Together out;
   for (const ups_meter_statistics& s : methods) {
-    const double w = 1 / (s.mean_standard_error_lx * s.mean_standard_error_lx);
+    const double w = 1 / std::max(s.mean_standard_error_lx * s.mean_standard_error_lx, 1e-20 * s.mean_lx * s.mean_lx);
     weights += w, out.lx += w * s.mean_lx;
   }
   return {out.lx / weights, std::sqrt(1 / weights)};
