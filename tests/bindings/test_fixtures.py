@@ -41,7 +41,8 @@ def expect_in_noise(value, error, expected, model_error=0, largest=0.0014):
 def expect_output_ratio(context, fixture, expected, model_error=0):
     result, sensor = measured(context, fixture)
     info = result.goniometer_info(sensor)
-    expect_in_noise(info.light_output_ratio, info.light_output_ratio_standard_error, expected, model_error, 1e-3)
+    expect_in_noise(info.light_output_ratio, info.light_output_ratio_standard_error, expected, model_error,
+                    min(0.0014, 1e-3 / expected))
 
 
 def expect_lambertian(reading, gamma_deg, step_deg=5):
