@@ -268,7 +268,7 @@ class Poison {
 TEST(Hazard02, NothingThatIsNotFiniteComesOutOfAPoisonedScene) {
   const TrapsMasked masked;
   size_t with_drops = 0;
-  const uint32_t cases = test::fast_or_full(250u, 500u);
+  const uint32_t cases = test::fast_or_full(250u, 400u);
   for (uint32_t i = 0; i < cases; ++i) {
     constexpr ups_material_model models[] = {UPS_MATERIAL_MATTE,  UPS_MATERIAL_GLASS,   UPS_MATERIAL_MIRROR,
                                              UPS_MATERIAL_METAL,  UPS_MATERIAL_PLASTIC, UPS_MATERIAL_GLAZING,

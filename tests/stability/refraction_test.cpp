@@ -194,7 +194,7 @@ TEST(Hazard14, RoughAbsorbingSlabBetween) {
   scene.add(box({-5, -5, 0}, {5, 5, 0.1}), block);
   scene.add(lamp(0.15, -1), emitter(luminance));
   Square(scene, -0.1, 1).judge(
-      scene, rough_trials({.pt = 30, .lt = 80, .ups = 100, .ppm = 120, .bpt = 40, .merging = 140}), costly);
+      scene, rough_trials({.pt = 30, .lt = 80, .ups = 70, .ppm = 120, .bpt = 40, .merging = 140}), costly);
 }
 
 }  // namespace

@@ -76,7 +76,8 @@ TEST(Hazard08, AClosedRoomIsTightWhenTilted) {
 
 // At 3 km a float's steps are 0.24 mm.
 TEST(Hazard08, AClosedRoomIsTightFarFromTheOrigin) {
-  expect_tight(Rig({box({-2, -3, -1}, {2, 3, 1})}, {{0, tilted(1, {3000, -2000, 500})}}), {3000, -2000, 500});
+  expect_tight(Rig({box({-2, -3, -1}, {2, 3, 1})}, {{0, tilted(1, {3000, -2000, 500})}}), {3000, -2000, 500},
+               30'000'000);
 }
 
 TEST(Hazard08, AClosedRoomIsTightAsAnInstance) {

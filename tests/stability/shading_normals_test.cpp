@@ -26,7 +26,7 @@ struct Target {
   }
 };
 
-const Limits limits = fast_or_full(usual, Limits{0.001, relative_tolerance});
+const Limits limits = fast_or_full(usual, Limits{0.00118, relative_tolerance});
 
 // PPM counts what lands on cells as light tracing does, bit for bit (refraction_test.cpp), and merges at points.
 constexpr double merge_radius = 0.04;
