@@ -8,8 +8,7 @@
 // the mesh's edges; tests/analytic/technique_subsets_test.cpp has those subsets, within what the blur is.)
 //
 // Within 0.3 %, at standard errors of at most 0.1 %: an error of 0.6 % is found in 99 cases of 100, of 1 % with
-// certainty. False alarms take 3 standard errors, P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise, at
-// 0.98, where eight iterations are enough, P(|t_7| > 3) = 2 %.
+// certainty. False alarms take 3 standard errors, P(|t_15| > 3) = 0.9 % for each comparison at the limit of noise.
 //
 // One number decides how long a path gets (PathSampler::roulette): lengths are stratified, which leaves little noise.
 #include "../support/expect_lx.h"
@@ -30,8 +29,7 @@ struct Sphere {
   explicit Sphere(double reflectance) : rho(reflectance), balance(pi_d * luminance / (1 - rho)) {
     scene.add(icosphere({0, 0, 0}, 1, 4).flipped(), emitter(luminance, rho));
   }
-  // All read the same; the longer the paths, the more each tells.
-  const Points points = points_inside(icosphere({0, 0, 0}, 0.5, 2), rho > 0.94 ? 8 : 16, 1);
+  const Points points = points_inside(icosphere({0, 0, 0}, 0.5, 2), 16, 1);
   Sensor add_points() { return scene.add_meters(points.positions, points.normals); }
   Sensor add_cells() {
     std::vector<P3> tangents;
@@ -43,7 +41,7 @@ struct Sphere {
   // As many iterations as the noise asks for. (Stated errors are those of the last render.)
   void expect(const Sensor& meters, uint32_t subset) {
     const uint32_t landing = rho > 0.94 ? 1u << 11 : 1u << 12;
-    RenderOptions options{.iterations = rho > 0.96 ? 8u : 16u, .merge_radius_m = 0.01,
+    RenderOptions options{.iterations = 16, .merge_radius_m = 0.01,
                           .light_paths = (subset & both_ends) ? 1u << 7 : landing, .techniques = subset};
     const std::string what = "subset " + std::to_string(subset);
     const Result result = render_until_quiet(scene, options, 16u << 8, [&](const Result& r) {
