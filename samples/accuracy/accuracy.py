@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What accuracy costs in time: three scenes, six methods, six knobs; tables, pictures and one page that explains them.
 
-  accuracy.py --ups build/release/bin/ups [--seconds 5] [--fast] [--out out/accuracy]
+  accuracy.py --ups build/release/bin/ups [--seconds 5] [--fast] [--light-paths N] [--out out/accuracy]
 
 OUT gets report.html (it needs no other file), accuracy.png and the other pictures, and the tables errors.csv,
 convergence.csv, times.csv, predictions.csv, knobs.csv and references.csv, in which -1 is what is not known. Nothing

@@ -54,29 +54,29 @@ class Sides {
   Sides(const Snapshot& scene, const Emitter& emitter, const Vec3& p, const Vec3& n, float lift)
       : scene_(scene), emitter_(emitter), p_(p), n_(n), lift_(lift) {
     each([&](const Vec3&, bool behind, double flux) { flux_[behind] += flux; });
-    const double all = flux_[0] + flux_[1];
-    for (double& f : flux_) f = all > 0 ? f / all : 0.5;
   }
-  double share(bool behind) const { return flux_[behind]; }
+  double share(bool behind) const {
+    const double all = flux_[0] + flux_[1];
+    return all > 0 ? flux_[behind] / all : 0.5;
+  }
 
   // Nearly all of the light decides; else what it meets, as a lamp on a floor lights the room and not what is below it.
   // Between two rooms the front is meant.
   bool is_behind() const {
     constexpr double nearly_all = 0.9, more = 1.25, least = 0.15;
     for (const bool behind : {false, true})
-      if (flux_[behind] >= nearly_all) return behind;
-    double met[2] = {}, sum[2] = {};
+      if (share(behind) >= nearly_all) return behind;
+    double met[2] = {};
     // The inside of a slab or a plinth is no room: lengths are measured across the plane.
     const float narrow = std::min(1.0f, scene_.radius / 2);
     each([&](const Vec3& direction, bool behind, double flux) {
-      sum[behind] += flux;
       // Beyond another wall that it lies on, too.
       const Vec3 origin = p_ + n_ * (behind ? -lift_ : lift_) + direction * (4 * lift_);
       Hit hit;
       if (!intersect_beyond_panes(scene_, origin, direction, hit)) return;
       if (std::abs(dot(scene_.raytracer->surface_at(hit).p - p_, n_)) > narrow) met[behind] += flux;
     });
-    return met[1] > more * met[0] + least * sum[1];
+    return met[1] > more * met[0] + least * flux_[1];
   }
 
  private:
@@ -100,9 +100,7 @@ class Sides {
 };
 
 bool lets_light_by(const Snapshot& scene, const SurfacePoint& s) {
-  const Material& material = scene.materials[s.material];
-  return scene.panes.is_crossed(s.instance) || material.model == MaterialModel::glass ||
-         material.model == MaterialModel::glazing || Bsdf(material, s.uv).transmits_continuously();
+  return scene.panes.is_crossed(s.instance) || traits_of(scene.materials[s.material]).transmits;
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& 
 // A point of a surface that lies in the plane of a wall, too, as on an edge or in a corner: moved to the wall's front by
 // what rounding makes, so that light from that side reaches it.
 Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame);
-// A source without extent that lies on a surface shines from that side of it to which most of its light goes.
+// A source without extent that lies on a surface shines from that side of it to which nearly all of its light goes, or
+// where that meets more.
 struct SourcePlace {
   Vec3 p;
   float into_surface;  // share of the light that goes to the other side, of what is opaque

@@ -35,15 +35,16 @@ const SensorEntry* find_goniometer(const LoadedScene& scene, const GoniometerOpt
   }
   if (!options.name.empty() && count == 0)
     throw WrongUsage(options.scene + ": --name " + options.name +
-                  ": the scene has no goniometer; without --name it gets one");
+                     ": the scene has no goniometer; without --name it gets one");
   if (!options.name.empty() && !found)
     throw WrongUsage(options.scene + ": --name " + options.name + ": the scene's goniometers are " + names);
   if (options.name.empty() && count > 1)
-    throw WrongUsage(options.scene + ": has " + std::to_string(count) + " goniometers; choose one with --name: " + names);
+    throw WrongUsage(options.scene + ": has " + std::to_string(count) + " goniometers; choose one with --name: " +
+                     names);
   if (found && !options.grid_option.empty())
     throw WrongUsage(options.scene + ": " + options.grid_option +
-                  " is for scenes without a goniometer; this one has its own, " + found->name +
-                  ", whose angles and symmetry stand in the file: change them there");
+                     " is for scenes without a goniometer; this one has its own, " + found->name +
+                     ", whose angles and symmetry stand in the file: change them there");
   return found;
 }
 

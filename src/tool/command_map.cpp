@@ -150,7 +150,7 @@ int map(const MapOptions& options) {
     throw WrongUsage("--map-threshold-luminance: " + options.file + " is shown in lux; take --map-threshold");
   if (!lux && options.style.threshold > 0)
     throw WrongUsage("--map-threshold: " + options.file + " is shown in cd/m2; take --map-threshold-luminance, or of a "
-                  "camera with \"illuminance_camera\": true --illuminance");
+                     "camera with \"illuminance_camera\": true --illuminance");
   if (lux && options.style.luminance_high > 0)
     throw WrongUsage("--map-range-luminance: " + options.file + " is shown in lux; take --map-range");
   MapStyle style = lux ? options.style : of_luminance(options.style);

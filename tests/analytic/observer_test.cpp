@@ -280,14 +280,6 @@ TEST(Observer, TilesThatStandCloseAreOneSource) {
   EXPECT_NEAR(sources[0].luminance_cd_m2, 3000, 0.1);
 }
 
-// Result::observer takes finite numbers alone.
-ups_observer_reading open_ended_reading(const Result& result, const Sensor& eye) {
-  ups_observer_reading r{};
-  r.struct_size = sizeof r;
-  check(ups_result_get_observer(result.get(), eye.id, &r), "ups_result_get_observer");
-  return r;
-}
-
 // A lamp behind a wall is none because glass stands before the wall.
 TEST(Observer, WhatAWallHidesIsNotBehindGlass) {
   for (const bool wall : {false, true}) {
@@ -297,7 +289,7 @@ TEST(Observer, WhatAWallHidesIsNotBehindGlass) {
     dark.scene.add(box({-2, 0.5, -1}, {2, 0.6, 2}), glass);
     if (wall) dark.scene.add(quad({-3, 1, -2}, {6, 0, 0}, {0, 0, 6}), matte(0.5));
     const Result result = dark.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1});
-    const ups_observer_reading r = open_ended_reading(result, dark.eye);
+    const ups_observer_reading r = result.open_ended_observer(dark.eye);
     EXPECT_EQ((r.flags & UPS_OBSERVER_COVERED_SOURCE) != 0, !wall);
   }
 }
@@ -314,7 +306,7 @@ TEST(Observer, SourcesBehindACoverAreTold) {
     for (float& t : cover.transmittance_rgb) t = transmits ? 0.5f : 0.0f;
     room.scene.add(quad(to_lamp * -0.5 + a * -0.3 + b * -0.3, a * 0.6, b * 0.6), cover);
     const Result result = room.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 64});
-    const ups_observer_reading r = open_ended_reading(result, room.eye);
+    const ups_observer_reading r = result.open_ended_observer(room.eye);
     EXPECT_EQ(r.flags, transmits ? uint32_t(UPS_OBSERVER_NO_SOURCE | UPS_OBSERVER_COVERED_SOURCE)
                                  : uint32_t(UPS_OBSERVER_NO_SOURCE));
     EXPECT_EQ(std::isinf(r.ugr_high), transmits);

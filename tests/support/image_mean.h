@@ -1,24 +1,13 @@
-// Means over independent values with their standard error, and the mean of an image over seeds.
+// The mean of an image over seeds.
 #pragma once
 #include <cmath>
 #include <numeric>
 #include <vector>
 
+#include "mean.h"
 #include "scene_builder.h"
 
 namespace ups::test {
-
-struct Mean {
-  double value = 0, standard_error = 0;
-};
-
-inline Mean mean_of(const std::vector<double>& values) {
-  const double n = double(values.size());
-  Mean m{std::accumulate(values.begin(), values.end(), 0.0) / n};
-  for (double v : values) m.standard_error += (v - m.value) * (v - m.value);
-  m.standard_error = std::sqrt(m.standard_error / (n - 1) / n);
-  return m;
-}
 
 // Over all pixels and channels of a camera's luminance, seeds 1 to 8 whatever `options` says: 7 degrees of freedom.
 inline Mean image_mean(Scene& scene, const Sensor& camera, RenderOptions options) {

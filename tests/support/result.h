@@ -99,15 +99,25 @@ class Result {
     return out;
   }
   ups_observer_reading observer(const Sensor& eye) const {
+    const ups_observer_reading r = open_ended_observer(eye);
+    require_finite({r.ugr_high}, "observer");
+    return r;
+  }
+  // Of which nothing may end the interval: ugr_high is infinite then.
+  ups_observer_reading open_ended_observer(const Sensor& eye) const {
     ups_observer_reading r{};
     r.struct_size = sizeof r;
     check(ups_result_get_observer(result_.get(), eye.id, &r), "ups_result_get_observer");
-    require_finite({r.ugr, r.ugr_standard_error, r.ugr_low, r.ugr_high, r.background_cd_m2,
+    require_finite({r.ugr, r.ugr_standard_error, r.ugr_low, r.background_cd_m2,
                     r.background_standard_error_cd_m2, r.background_error_bound_cd_m2}, "observer");
+    if (std::isnan(r.ugr_high)) throw std::runtime_error("no number: ugr_high");
     return r;
   }
   std::vector<ups_glare_source> glare_sources(const Sensor& eye) const {
-    std::vector<ups_glare_source> all(observer(eye).source_count);
+    return glare_sources(eye, observer(eye).source_count);
+  }
+  std::vector<ups_glare_source> glare_sources(const Sensor& eye, uint32_t count) const {
+    std::vector<ups_glare_source> all(count);
     for (uint32_t i = 0; i < all.size(); ++i) {
       all[i].struct_size = sizeof all[i];
       check(ups_result_get_glare_source(result_.get(), eye.id, i, &all[i]), "ups_result_get_glare_source");

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "../support/mean.h"
 #include "ups/ups_ocio.h"
 
 namespace {
@@ -121,17 +121,6 @@ TEST(Smooth, TextureStays) {
   EXPECT_LT(rms(picture.smooth(), truth), 0.3 * rms(picture.rgb, truth));
 }
 
-// Of a few independent samples.
-struct MeanOf {
-  std::vector<double> samples;
-  double mean() const { return std::accumulate(samples.begin(), samples.end(), 0.0) / double(samples.size()); }
-  double standard_error() const {
-    double square = 0;
-    for (double s : samples) square += (s - mean()) * (s - mean());
-    return std::sqrt(square / double(samples.size() * (samples.size() - 1)));
-  }
-};
-
 // Mean of the columns from x to end, all rows and channels.
 double mean_of_columns(const std::vector<float>& rgb, uint32_t x, uint32_t end) {
   double sum = 0;
@@ -147,7 +136,7 @@ double mean_of_columns(const std::vector<float>& rgb, uint32_t x, uint32_t end) 
 TEST(Smooth, EdgesStayByNormalAndDepth) {
   constexpr uint32_t edge = width / 2, reach = 9;
   for (const bool by_depth : {false, true}) {
-    MeanOf left, right;
+    std::vector<double> left, right;
     for (uint32_t seed = 1; seed <= 8; ++seed) {
       Picture picture;
       picture.each([&](uint32_t x, uint32_t, size_t p) {
@@ -162,13 +151,14 @@ TEST(Smooth, EdgesStayByNormalAndDepth) {
       picture.add_noise(0.15f, seed);
       const std::vector<float> out = picture.smooth();
       const std::vector<float>& in = picture.rgb;
-      left.samples.push_back(mean_of_columns(out, edge - 1, edge) / mean_of_columns(in, edge - reach, edge));
-      right.samples.push_back(mean_of_columns(out, edge, edge + 1) / mean_of_columns(in, edge, edge + reach));
+      left.push_back(mean_of_columns(out, edge - 1, edge) / mean_of_columns(in, edge - reach, edge));
+      right.push_back(mean_of_columns(out, edge, edge + 1) / mean_of_columns(in, edge, edge + reach));
       EXPECT_LT(rms(out, truth), 0.35 * rms(in, truth));
     }
-    for (const MeanOf& side : {left, right}) {
-      EXPECT_LE(side.standard_error(), 0.001);
-      EXPECT_NEAR(side.mean(), 1, 0.005);
+    for (const auto& side : {left, right}) {
+      const ups::test::Mean mean = ups::test::mean_of(side);
+      EXPECT_LE(mean.standard_error, 0.001);
+      EXPECT_NEAR(mean.value, 1, 0.005);
     }
   }
 }

@@ -17,22 +17,6 @@ void require_finite(std::initializer_list<double> values, const char* what) {
     if (!std::isfinite(v)) throw std::runtime_error(std::string("not finite: ") + what);
 }
 
-void read_observer(const Result& result, const Sensor& eye) {
-  ups_observer_reading r{};
-  r.struct_size = sizeof r;
-  check(ups_result_get_observer(result.get(), eye.id, &r), "ups_result_get_observer");
-  require_finite({r.ugr, r.ugr_standard_error, r.ugr_low, r.background_cd_m2, r.background_standard_error_cd_m2,
-                  r.background_error_bound_cd_m2}, "observer");
-  if (std::isnan(r.ugr_high)) throw std::runtime_error("no number: ugr_high");  // infinity where nothing ends it
-  for (uint32_t i = 0; i < r.source_count; ++i) {
-    ups_glare_source s{};
-    s.struct_size = sizeof s;
-    check(ups_result_get_glare_source(result.get(), eye.id, i, &s), "ups_result_get_glare_source");
-    require_finite({s.luminance_cd_m2, s.solid_angle_sr, s.intensity_cd, s.distance_m, s.visible_share,
-                    s.position_index, s.share}, "glare source");
-  }
-}
-
 void read_camera(const Result& result, const Sensor& camera) {
   for (const ups_channel channel : {UPS_CHANNEL_PATH_INTEGRATION_RGB, UPS_CHANNEL_DENSITY_ESTIMATION_RGB,
                                     UPS_CHANNEL_ALBEDO_RGB, UPS_CHANNEL_NORMAL})
@@ -89,7 +73,7 @@ void read_all_outputs(Scene& scene, const Sensor& meters, RenderOptions options)
     result.vectors(sets[k]);
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT}) result.vectors(sets[k], part);
   }
-  read_observer(result, eye);
+  result.glare_sources(eye, result.open_ended_observer(eye).source_count);
   read_camera(result, camera);
   read_curve(result);
 }

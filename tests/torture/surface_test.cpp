@@ -47,20 +47,6 @@ TEST_P(TortureRoughness, OfMetalGlassAndPlastic) {
   RoughThings(roughness).survive_all("roughness " + std::to_string(roughness).substr(0, 7));
 }
 
-// What all methods read together, weighted by 1 / s^2: numbers of their own make them independent.
-struct Together {
-  double lx = 0, standard_error = 0;
-};
-Together together(const std::vector<ups_meter_statistics>& methods) {
-  double weights = 0;
-  Together out;
-  for (const ups_meter_statistics& s : methods) {
-    const double w = 1 / std::max(s.mean_standard_error_lx * s.mean_standard_error_lx, 1e-20 * s.mean_lx * s.mean_lx);
-    weights += w, out.lx += w * s.mean_lx;
-  }
-  return {out.lx / weights, std::sqrt(1 / weights)};
-}
-
 // Smooth glass, metal, plastic: rooms of 4 mm and of 400 km, and one that is 100 km from the origin, have the
 // illuminances of one of 4 m, whose lamp has the same luminance. Methods agree in each, and the rooms by each method:
 // 15 comparisons, P(|t_30| > 4) = 4e-4 each; 6 of them are found, which the full form's noise makes 1.2 %, the fast
@@ -74,23 +60,23 @@ TEST(Torture, ThingsOfAllSizesAndFarFromTheOrigin) {
     double m;
     P3 offset;
   };
-  std::vector<std::vector<ups_meter_statistics>> found;
+  std::vector<std::vector<MeanOfSet>> found;
   for (const auto& [name, m, offset] : {Room{"things of 1 m", 1, {}}, Room{"things of 1 mm", 1e-3, {}},
                                         Room{"things of 100 km", 1e5, {}}, Room{"things of 1 m, far away", 1, far}}) {
     RoughThings room(0, m, offset);
-    std::vector<ups_meter_statistics> of_room;
-    for (const Result& r : room.survive_all(name, m, 24)) of_room.push_back(r.statistics(room.meters));
+    std::vector<MeanOfSet> of_room;
+    for (const Result& r : room.survive_all(name, m, 24)) of_room.push_back(mean_of_set(r, room.meters));
     found.push_back(std::move(of_room));
   }
   for (size_t room = 1; room < found.size(); ++room)
     for (size_t method = 0; method < found[room].size(); ++method) {
-      const ups_meter_statistics &a = found[room][method], &b = found[0][method];
-      EXPECT_NEAR(a.mean_lx, b.mean_lx, 4 * std::hypot(a.mean_standard_error_lx, b.mean_standard_error_lx))
+      const MeanOfSet &a = found[room][method], &b = found[0][method];
+      EXPECT_NEAR(a.lx, b.lx, 4 * std::hypot(a.standard_error, b.standard_error))
           << "room " << room << ", " << method_name(torture_methods[method]);
     }
-  const Together right = together(found[0]);
+  const MeanOfSet right = together(found[0]);
   for (size_t room = 1; room < found.size(); ++room) {
-    const Together all = together(found[room]);
+    const MeanOfSet all = together(found[room]);
     const double s = std::hypot(all.standard_error, right.standard_error);
     std::printf("room %zu, all: %+.3f %%, s %.3f %%\n", room, 100 * (all.lx / right.lx - 1), 100 * s / right.lx);
     EXPECT_LE(s, fast_or_full(0.0016, 0.0009) * right.lx) << "room " << room << ": too noisy to judge";

@@ -34,27 +34,7 @@ void read_the_rest(const Result& result, const std::vector<Judged>& judged) {
 
 const char* name_of(ups_method m) { return m == UPS_METHOD_AUTO ? "auto" : method_name(m); }
 
-struct Mean {
-  double lx = 0, standard_error = 0, bound = 0;
-};
-
-Mean mean_of(const Result& result, const Sensor& meters) {
-  const ups_meter_statistics s = result.statistics(meters);
-  return {s.mean_lx, s.mean_standard_error_lx, s.mean_error_bound_lx};
-}
-
-// Of independent means, weighted by 1 / s^2.
-Mean together(const std::vector<Mean>& all) {
-  double weights = 0;
-  Mean out;
-  for (const Mean& m : all) {
-    const double w = 1 / std::max(m.standard_error * m.standard_error, 1e-20 * m.lx * m.lx);
-    weights += w, out.lx += w * m.lx, out.bound += w * m.bound;
-  }
-  return {out.lx / weights, std::sqrt(1 / weights), out.bound / weights};
-}
-
-void expect_mean(const Mean& m, const Mean& expected, double error, double noise, const std::string& what) {
+void expect_mean(const MeanOfSet& m, const MeanOfSet& expected, double error, double noise, const std::string& what) {
   const double s = std::hypot(m.standard_error, expected.standard_error), off = m.lx - expected.lx;
   std::printf("%s: %.6g lx, %+.3f %%, s %.3f %%, bound %.3f %%\n", what.c_str(), m.lx, 100 * off / expected.lx,
               100 * s / expected.lx, 100 * m.bound / expected.lx);
@@ -131,7 +111,7 @@ class Trial {
       for (size_t m = 0; m < results.size(); ++m) {
         const ups_method method = options_.methods[m];
         if (!is_judged(judged_[k], method)) continue;
-        expect_mean(mean_of(results[m], judged_[k].meters), expected(k, m), judged_[k].truth_error,
+        expect_mean(mean_of_set(results[m], judged_[k].meters), expected(k, m), judged_[k].truth_error,
                     noise_of(judged_[k], method), what(method) + ", set " + std::to_string(k));
       }
     for (size_t k = 0; k < judged_.size(); ++k) judge_together(k);
@@ -143,9 +123,9 @@ class Trial {
   // Methods are independent: where the truth is known their mean is twice as tight as each.
   void judge_together(size_t set) const {
     const Judged& j = judged_[set];
-    std::vector<Mean> all;
+    std::vector<MeanOfSet> all;
     for (size_t m = 0; m < results.size(); ++m)
-      if (is_judged(j, options_.methods[m])) all.push_back(mean_of(results[m], j.meters));
+      if (is_judged(j, options_.methods[m])) all.push_back(mean_of_set(results[m], j.meters));
     if (j.truth_lx >= 0 && all.size() > 1)
       expect_mean(together(all), {j.truth_lx, 0, 0}, j.truth_error, j.noise / 2,
                   name_ + ", all, set " + std::to_string(set));
@@ -160,21 +140,21 @@ class Trial {
   double excess(const Result& result, ups_method method) const {
     double worst = 0;
     for (const Judged& j : judged_) {
-      const Mean m = mean_of(result, j.meters);
+      const MeanOfSet m = mean_of_set(result, j.meters);
       const double share = j.truth_lx >= 0 ? 1 : is_among(method, referees) ? std::sqrt(0.5) : std::sqrt(0.75);
       if (is_judged(j, method) && m.lx > 0)
         worst = std::max(worst, m.standard_error / (share * noise_of(j, method) * m.lx));
     }
     return worst;
   }
-  Mean expected(size_t set, size_t judged) const {
+  MeanOfSet expected(size_t set, size_t judged) const {
     const double truth = judged_[set].truth_lx;
     if (truth >= 0) return {truth, 0, 0};
-    std::vector<Mean> others;
+    std::vector<MeanOfSet> others;
     for (size_t m = 0; m < results.size(); ++m) {
       const ups_method method = options_.methods[m];
       if (m != judged && is_among(method, referees) && is_judged(judged_[set], method))
-        others.push_back(mean_of(results[m], judged_[set].meters));
+        others.push_back(mean_of_set(results[m], judged_[set].meters));
     }
     return together(others);
   }
@@ -188,6 +168,21 @@ class Trial {
 };
 
 }  // namespace
+
+MeanOfSet mean_of_set(const Result& result, const Sensor& meters) {
+  const ups_meter_statistics s = result.statistics(meters);
+  return {s.mean_lx, s.mean_standard_error_lx, s.mean_error_bound_lx};
+}
+
+MeanOfSet together(const std::vector<MeanOfSet>& all) {
+  double weights = 0;
+  MeanOfSet out;
+  for (const MeanOfSet& m : all) {
+    const double w = 1 / std::max(m.standard_error * m.standard_error, 1e-20 * m.lx * m.lx);
+    weights += w, out.lx += w * m.lx, out.bound += w * m.bound;
+  }
+  return {out.lx / weights, std::sqrt(1 / weights), out.bound / weights};
+}
 
 std::vector<Result> survive(const std::string& name, Scene& scene, const std::vector<Judged>& judged,
                             const TortureOptions& options) {

@@ -63,6 +63,13 @@ struct TortureOptions {
 // SPPM's that is small enough for 0.5 % in a room of 4 m.
 inline constexpr double radius_in_rooms = 0.2;
 
+struct MeanOfSet {
+  double lx = 0, standard_error = 0, bound = 0;
+};
+MeanOfSet mean_of_set(const Result& result, const Sensor& meters);
+// Of independent means, weighted by 1 / s^2.
+MeanOfSet together(const std::vector<MeanOfSet>& all);
+
 // Renders, checks, and gives back what each method found.
 std::vector<Result> survive(const std::string& name, Scene& scene, const std::vector<Judged>& judged,
                             const TortureOptions& options = {});
