@@ -107,6 +107,8 @@ bool lets_light_by(const Snapshot& scene, const SurfacePoint& s) {
 
 SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& emitter) {
   const float reach = 0x1p-17f * scene.radius, own = free_error(p);
+  // Shadow rays end this much before it at most, see segment_free (transport/encounter.h).
+  const float least_lift = 16 * 0x1p-24f * 4 * scene.radius;
   SourcePlace out{p, 0};
   constexpr int lines = 6, passes = 2;  // a plane is crossed by one axis at least; what is met first may hide another
   for (int k = 0; k < lines * passes && reach > 0; ++k) {
@@ -115,13 +117,17 @@ SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& em
     Hit hit;
     if (!scene.raytracer->intersect(out.p - u * reach, u, 2 * reach, hit)) continue;
     const SurfacePoint s = scene.raytracer->surface_at(hit);
-    const float height = dot(out.p - s.p, s.ng), rounding = own + s.error;
-    if (!(std::abs(height) < 1.9f * rounding)) continue;  // 2: it has been moved off this one
-    const Sides sides(scene, emitter, out.p - s.ng * height, s.ng, 2 * rounding);
+    const float height = dot(out.p - s.p, s.ng), rounding = own + s.error, lift = std::max(2 * rounding, least_lift);
+    if (!(std::abs(height) < 0.95f * lift)) continue;  // 1: it has been moved off this one
+    if (std::abs(height) > 1.9f * rounding) {  // off it by so little that from far away it would be seen through it
+      out.p = out.p + s.ng * (std::copysign(lift, height) - height);
+      continue;
+    }
+    const Sides sides(scene, emitter, out.p - s.ng * height, s.ng, lift);
     // What lies on glass is outside.
     const bool glass = scene.materials[s.material].model == MaterialModel::glass,
                behind = glass ? scene.media.is_inside_out(s.instance) : sides.is_behind();
-    out.p = out.p + s.ng * ((behind ? -2 : 2) * rounding - height);
+    out.p = out.p + s.ng * ((behind ? -lift : lift) - height);
     if (!lets_light_by(scene, s)) out.into_surface = std::max(out.into_surface, float(sides.share(!behind)));
   }
   return out;

@@ -67,7 +67,7 @@ void fill(Scene& scene, Extremes& e) {
 TEST(Hazard02, ScenesOfExtremesGiveFiniteReadings) {
   constexpr ups_method methods[] = {UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_PPM, UPS_METHOD_LIGHT_TRACING,
                                     UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING};
-  const uint32_t cases = fast_or_full(40u, 200u);
+  const uint32_t cases = fast_or_full(40u, 150u);
   size_t rendered = 0;
   uint64_t rays = 0;
   for (uint32_t i = 0; i < cases; ++i) {

@@ -45,7 +45,7 @@ TEST(Hazard28, FirefliesAtMetersAreFlaggedAndUnbiased) {
   for (int i = 0; i < 64; ++i) expected += room.mirrored_lx(Fireflies::meter(i)) / 64;
   std::vector<double> means;
   int unflagged = 0, wrong = 0, all = 0;
-  for (uint64_t seed = 1; seed <= fast_or_full(160u, 400u); ++seed) {
+  for (uint64_t seed = 1; seed <= fast_or_full(160u, 300u); ++seed) {
     const Result r = room.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16, .seed = seed});
     means.push_back(0);
     const auto readings = r.readings(room.meters);
@@ -95,7 +95,7 @@ TEST(Hazard28, FirefliesInAnImageAreToldByItsRobustChannel) {
     even += 50 * d.z / std::pow(length(d), 3) * rho / pi_d / 256;
     expected += room.mirrored_lx(at) * rho / pi_d / 256;
   }
-  for (uint64_t seed = 1; seed <= fast_or_full(24u, 60u); ++seed) {
+  for (uint64_t seed = 1; seed <= fast_or_full(24u, 36u); ++seed) {
     const Image image =
         room.scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 64, .seed = seed, .max_path_length = 3})
             .image(room.camera);

@@ -28,7 +28,7 @@ TEST_P(Hazard04, AFurnaceHasOneIlluminance) {
   for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_UPS}) {
     const bool light = method == UPS_METHOD_LIGHT_TRACING, unified = method == UPS_METHOD_UPS;
     const Result r = scene.render({.method = method,
-                                   .iterations = unified ? 64u : full() ? 192u : 128u,
+                                   .iterations = unified ? 64u : 128u,
                                    .merge_radius_m = 0.01,
                                    .light_paths = light ? 1u << 15 : 1u << 11});
     const auto judge = [&](const Sensor& set, const std::string& what) {

@@ -1,5 +1,5 @@
-// Sources without extent exactly on a floor, a table, a ceiling, a wall or an edge, and flat openings that shine up
-// from a floor: what they light is what they light from 0.1 mm off it.
+// Sources without extent exactly on a floor, a table, a ceiling, a wall or an edge, on what lets light through, on a
+// rug or a slab, and flat openings that shine up from a floor: what they light is what they light from 0.1 mm off it.
 #include "../analytic/ies_text.h"
 #include "../support/expect_same.h"
 #include "../support/scene_warnings.h"
@@ -94,6 +94,96 @@ TEST(Taught, SourcesOnSolidsShineOutwards) {
       const double expected = 100 * std::abs(way.z) / std::pow(length(way), 3);
       EXPECT_NEAR(r.direct_lx / expected, 1, 1e-4) << c.name << (floor ? ", above a floor" : "");
     }
+}
+
+// Something in a room of 4 x 4 m, with a face at height 0 that a source lies on.
+struct Bearer {
+  const char* name;
+  Shape shape;
+  ups_material_desc material;
+  double side;  // of the face, where the room is; 0: there is room on both sides
+  double bottom = -2.7;  // of the room
+};
+
+std::vector<Bearer> bearers() {
+  auto pane = material(UPS_MATERIAL_GLAZING, 1), diffuser = material(UPS_MATERIAL_DIFFUSER, 0.3), rug = matte(0.5);
+  for (ups_material_desc* m : {&pane, &diffuser})
+    std::fill(std::begin(m->transmittance_rgb), std::end(m->transmittance_rgb), 0.5f);
+  rug.alpha_mode = UPS_ALPHA_BLEND, rug.alpha = 0.5f;
+  const Shape sheet = quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  return {{"block of glass", box({-1, -1, -0.5}, {1, 1, 0}), glass(1.5), 1},
+          {"pane", sheet, pane, 0},
+          {"diffuser", sheet, diffuser, 0},
+          {"rug", sheet, rug, 1, -0.01},
+          {"rug in the floor's plane", sheet, rug, 1, 0},
+          {"slab, from above", box({-2, -2, -0.2}, {2, 2, 0}), matte(0.5), 1},
+          {"slab, from below", box({-2, -2, 0}, {2, 2, 0.2}), matte(0.5), -1}};
+}
+
+// Where there is room on both sides, most of the light decides; else the room, even where a luminaire sends four fifths
+// the other way. On the wrong side at least one of two meters, above and below, would see half of the light or none.
+// Straight light is exact: but for the 0.1 mm, both read the same.
+TEST(Taught, SourcesOnWhatLetsLightThroughAndOnSlabs) {
+  const std::string ies = ies_text([](double gamma) { return gamma < pi_d / 2 ? 160.0 : 40.0; }, 180, 0);
+  const auto expect_as_off = [&](const Bearer& on_what, bool flipped, Kind kind, double aim) {
+    const bool between_rooms = on_what.side == 0;
+    if (kind == Kind::point && aim < 0) return;
+    if (kind == Kind::spot && !between_rooms && aim != on_what.side) return;  // all of its light goes into it
+    // Of even light the front is meant.
+    const double side = !between_rooms ? on_what.side : kind != Kind::point ? aim : flipped ? -1 : 1;
+    const auto read = [&](double height) {
+      Scene scene(1);
+      scene.add(box({-2, -2, on_what.bottom}, {2, 2, 2.5}).flipped(), matte(0));
+      scene.add(flipped ? on_what.shape.flipped() : on_what.shape, on_what.material);
+      const P3 at{0.1, 0.2, height}, direction{0, 0, aim};
+      const Profile profile = parse(scene.context(), ies);
+      if (kind == Kind::point) scene.add_point_light(at, 100);
+      if (kind == Kind::spot) scene.add_spot(at, direction, 100, 0.3, 1.2);
+      if (kind == Kind::luminaire) scene.add_luminaire(profile.get(), at, direction, false);
+      const Sensor meters = scene.add_meters({{0.7, 0.5, 1.1}, {0.7, 0.5, -1.3}}, {{0, 0, -1}, {0, 0, 1}});
+      return scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1}).readings(meters);
+    };
+    const auto on = read(0), off = read(1e-4 * side);
+    const std::string what = std::string(on_what.name) + (flipped ? ", flipped" : "") + ", kind " +
+                             std::to_string(int(kind)) + (aim > 0 ? ", up" : ", down");
+    EXPECT_GT(off[side > 0 ? 0 : 1].direct_lx, 1) << what;
+    for (size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR(on[i].direct_lx, off[i].direct_lx, 1e-3 * off[i].direct_lx) << what << ", meter " << i;
+  };
+  for (const Bearer& on_what : bearers())
+    for (const bool flipped : {false, true})
+      for (const Kind kind : {Kind::point, Kind::spot, Kind::luminaire})
+        for (const double aim : {1.0, -1.0}) expect_as_off(on_what, flipped, kind, aim);
+}
+
+// Of light that started within the glass, total reflection would hold half back. The same random numbers on it and
+// 0.1 mm above it, so that there is next to no noise between the two.
+TEST(Taught, LuminairesOnGlassShineIntoItThroughAir) {
+  const auto read = [](double height) {
+    Scene scene;
+    const Profile profile = parse(scene.context(), ies_text([](double gamma) { return 100 * std::cos(gamma); }, 90, 0));
+    scene.add(box({-1, -1, -0.5}, {1, 1, 0}), glass(1.5));
+    scene.add_luminaire(profile.get(), {0.1, 0.2, height}, {0, 0, -1}, false);
+    const Sensor cell = scene.add_cells({{0, 0, -1}}, {{0, 0, 1}}, {{1, 0, 0}}, 2, 2);
+    return scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 16, .light_paths = 1u << 12})
+        .statistics(cell).mean_lx;
+  };
+  EXPECT_NEAR(read(0) / read(1e-4), 1, 0.01);
+}
+
+// Shadow rays from far away end before a source by what their length rounds to: at the middle of a scene, where a
+// source's own place is exact, that was more than it had been moved off the surface (before: 0.64 lx below).
+TEST(Taught, SourcesOnAShelfInATallHallLightNothingBeneathIt) {
+  for (const double height : {0.0, 1e-5}) {
+    Scene scene;
+    scene.add(box({-30, -30, -30}, {30, 30, 30}).flipped(), matte(0));
+    scene.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), matte(0.5));
+    scene.add_point_light({0.1, 0.2, height}, 400);
+    const Sensor meters = scene.add_meters({{0.3, 0.2, -25}, {0.1, 0.2, 25}}, {{0, 0, 1}, {0, 0, -1}});
+    const auto readings = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1}).readings(meters);
+    EXPECT_EQ(readings[0].direct_lx, 0) << height;
+    EXPECT_NEAR(readings[1].direct_lx, 0.64, 1e-4) << height;
+  }
 }
 
 // Where more goes up, and nothing is above.

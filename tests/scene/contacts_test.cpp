@@ -1,0 +1,84 @@
+// The search for glass that emitters touch, as a part of a commit: kept to the memory's limit, cancelled, told of.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+#include "things.h"
+
+namespace ups {
+namespace {
+
+// An emitter that stands on glass, and a matte sheet away from both; of so many squares along a side.
+Things on_glass(uint32_t of_glass, uint32_t of_matte) {
+  Things t;
+  t.box(t.material(UPS_MATERIAL_MATTE, 100), {0, 0, 1}, {1, 1, 2});
+  t.sheet(t.material(UPS_MATERIAL_GLASS), of_glass, 1);
+  t.sheet(t.material(UPS_MATERIAL_MATTE), of_matte, -1);
+  return t;
+}
+constexpr uint32_t coarse = 4, fine = 200;  // whose index takes some kB, and some MB
+constexpr float search_ends = 0.2f;  // of a commit's progress: what emitters touch is searched first
+const Contact& only_contact(const Snapshot& s) { return s.contacts.at({UPS_SOURCE_INSTANCE, 1}); }
+
+// The index of the search is refused within it, that of the scene after it, by the progress that there was; a search
+// without the limit would go on to the scene's index. What was begun keeps no mesh.
+TEST(Contacts, TheirSearchKeepsTheMemorysLimit) {
+  for (const bool in_search : {true, false}) {
+    const Things t = in_search ? on_glass(fine, coarse) : on_glass(coarse, fine);
+    const auto users = [&] {
+      long sum = 0;
+      for (uint32_t mesh = 1; mesh <= 3; ++mesh) sum += t.description.meshes().shared(mesh).use_count();
+      return sum;
+    };
+    const long before = users();
+    ThreadPool pool(2);
+    Monitor monitor;
+    monitor.limit_memory(2 << 20);
+    try {
+      prepare(t.description, pool, nullptr, &monitor);
+      ADD_FAILURE() << in_search;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.status(), UPS_ERROR_OUT_OF_MEMORY) << e.what();
+      EXPECT_NE(std::string(e.what()).find("memory_limit_bytes"), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(monitor.fraction() < search_ends, in_search) << monitor.fraction();
+    EXPECT_EQ(users(), before);
+    EXPECT_TRUE(only_contact(*prepare(t.description, pool)).is_moved());
+  }
+}
+
+// By a thread that waits for the first progress: a search that told of none, or went on, would end at a fifth or later.
+// Where the thread came too late it is tried again.
+TEST(Contacts, TheirSearchIsCancelled) {
+  const Things t = on_glass(fine, coarse);
+  ThreadPool pool(2);
+  const auto expected = prepare(t.description, pool);
+  bool within = false;
+  for (int tries = 0; tries < 10 && !within; ++tries) {
+    Monitor monitor;
+    std::atomic<bool> ended{false};
+    std::thread other([&] {
+      while (!(monitor.fraction() > 0) && !ended) std::this_thread::yield();
+      monitor.cancel();
+    });
+    bool cancelled = false;
+    try {
+      prepare(t.description, pool, nullptr, &monitor);
+    } catch (const Cancelled&) {
+      cancelled = true;
+    }
+    ended = true;
+    other.join();
+    within = cancelled && monitor.fraction() < search_ends;
+  }
+  EXPECT_TRUE(within);
+  const auto again = prepare(t.description, pool);
+  EXPECT_TRUE(only_contact(*again).is_moved());
+  EXPECT_EQ(max_abs(only_contact(*again).shift - only_contact(*expected).shift), 0);
+  EXPECT_TRUE(again->instances == expected->instances);
+}
+
+}  // namespace
+}  // namespace ups
