@@ -21,6 +21,11 @@ bool is_interface_smooth(const Material& m, float alpha, float ior) {
   return m.model == MaterialModel::glass ? glass::is_smooth(alpha, ior) : alpha < min_alpha;
 }
 
+// What glass lets through is bent by less than the half vectors lean where its index is low.
+bool is_sharp(MaterialModel model, float alpha, float ior) {
+  return (model == MaterialModel::glass ? alpha * std::min(1.0f, 2 * (ior - 1)) : alpha) < default_glossy_alpha;
+}
+
 // With the denser side behind. As a function of its own inverse it brings a result back, too.
 Vec3 turned(const BsdfParameters& p, const Vec3& w) { return p.flipped ? Vec3{w.x, w.y, -w.z} : w; }
 
@@ -134,6 +139,12 @@ Rgb base_colour(const Material& m, const Vec2& uv) {
   return {facing(m.ior_rgb.r, m.ior_k_rgb.r), facing(m.ior_rgb.g, m.ior_k_rgb.g), facing(m.ior_rgb.b, m.ior_k_rgb.b)};
 }
 
+bool Bsdf::is_caster() const {
+  const MaterialModel model = p_.material->model;
+  const bool most = is_interface_alone(model, p_.metallic) || (model == MaterialModel::plastic && p_.metallic >= 0.5f);
+  return p_.alpha > 0 && most && is_sharp(model, p_.alpha, p_.ior);
+}
+
 bool Bsdf::has_delta() const {
   switch (p_.material->model) {
     case MaterialModel::matte:
@@ -225,7 +236,7 @@ void add_interface(const Material& m, MaterialTraits& t) {
   t.delta = is_interface_smooth(m, alpha.smallest, m.ior);
   if (is_interface_smooth(m, alpha.largest, m.ior)) return;
   t.continuous = true;
-  t.glossy = alpha.smallest < default_glossy_alpha;
+  t.glossy = is_sharp(m.model, alpha.smallest, m.ior);
 }
 
 }  // namespace

@@ -101,6 +101,8 @@ class Bsdf {
   bool is_glossy(float below_alpha) const {
     return p_.alpha > 0 && p_.alpha < below_alpha && is_interface_alone(p_.material->model, p_.metallic);
   }
+  // A continuous lobe is so sharp that it casts caustics as a mirror does, and has most of the light.
+  bool is_caster() const;
   // GGX alpha of the sharpest continuous lobe; 1 for Lambertian ones; 0 where there is no continuous lobe.
   float min_alpha_continuous() const;
 

@@ -8,7 +8,7 @@ namespace ups {
 void PunctualEmitter::start_emission(const Vec3& direction, const Rgb& flux, float pdf_direction_w,
                                      EmissionSample& out) const {
   out = {};
-  out.p = p_;
+  out.p = start_;
   out.direction = direction;
   out.flux = flux;
   out.pdf_direction_w = pdf_direction_w;
@@ -27,7 +27,7 @@ bool PunctualEmitter::start_direct(const Vec3& reference, DirectSample& out) con
   const float distance2 = length2(to_p);
   if (!(distance2 > 0)) return false;
   out = {};
-  out.p = p_;
+  out.p = start_;
   out.distance = std::sqrt(distance2);
   out.wi = to_p / out.distance;
   out.weight = Rgb(1 / distance2);
@@ -63,8 +63,8 @@ bool PointEmitter::emission_square(const Vec3&, uint32_t, const Vec3& direction,
 }
 
 SpotEmitter::SpotEmitter(const Vec3& p, const Vec3& axis, const Rgb& intensity, float inner_cone_rad,
-                         float outer_cone_rad, float error)
-    : PunctualEmitter(p, error), frame_(normalize(axis)), intensity_(intensity) {
+                         float outer_cone_rad, float error, const Vec3& shift)
+    : PunctualEmitter(p, error, shift), frame_(normalize(axis)), intensity_(intensity) {
   const auto versine = [](double angle) { return 2 * std::pow(std::sin(0.5 * angle), 2); };
   outer_versine_ = versine(outer_cone_rad);
   inner_versine_ = std::min(versine(inner_cone_rad), outer_versine_);

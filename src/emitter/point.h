@@ -5,7 +5,8 @@
 
 namespace ups {
 
-// What all sources share that a walk cannot run into and that stand at a point.
+// What all sources share that a walk cannot run into and that stand at a point. shift: from there to where rays start
+// and end, off a surface that the source lies on; what it lights is as of the point.
 class PunctualEmitter : public Emitter {
  public:
   bool is_delta() const override { return true; }
@@ -15,20 +16,21 @@ class PunctualEmitter : public Emitter {
   bool seen_from(const Vec3& eye, Sight& out) const override;
 
  protected:
-  PunctualEmitter(const Vec3& p, float error) : p_(p), error_(error) {}
+  PunctualEmitter(const Vec3& p, float error, const Vec3& shift) : p_(p), start_(p + shift), error_(error) {}
   void start_emission(const Vec3& direction, const Rgb& flux, float pdf_direction_w, EmissionSample& out) const;
   // Fills what follows from the two points; the weight becomes 1 / d^2. False where they are the same.
   bool start_direct(const Vec3& reference, DirectSample& out) const;
 
  private:
-  Vec3 p_;
+  Vec3 p_, start_;
   float error_;
 };
 
 // The same intensity, cd, in all directions.
 class PointEmitter : public PunctualEmitter {
  public:
-  PointEmitter(const Vec3& p, const Rgb& intensity, float error) : PunctualEmitter(p, error), intensity_(intensity) {}
+  PointEmitter(const Vec3& p, const Rgb& intensity, float error, const Vec3& shift = {})
+      : PunctualEmitter(p, error, shift), intensity_(intensity) {}
   EmitterKind kind() const override { return EmitterKind::point; }
   double flux_lm() const override;
   Rgb flux_rgb() const override;
@@ -46,7 +48,7 @@ class PointEmitter : public PunctualEmitter {
 class SpotEmitter : public PunctualEmitter {
  public:
   SpotEmitter(const Vec3& p, const Vec3& axis, const Rgb& intensity, float inner_cone_rad, float outer_cone_rad,
-              float error);
+              float error, const Vec3& shift = {});
   EmitterKind kind() const override { return EmitterKind::spot; }
   double flux_lm() const override;
   Rgb flux_rgb() const override;

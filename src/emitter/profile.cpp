@@ -47,8 +47,9 @@ bool PlacedProfile::invert(const Vec3& direction, Vec2& u) const {
 }
 
 ProfilePointEmitter::ProfilePointEmitter(std::shared_ptr<const photometry::Distribution> distribution,
-                                         const Frame& frame, const Vec3& p, const Rgb& scale, float error)
-    : PunctualEmitter(p, error), profile_(std::move(distribution), frame, scale) {}
+                                         const Frame& frame, const Vec3& p, const Rgb& scale, float error,
+                                         const Vec3& shift)
+    : PunctualEmitter(p, error, shift), profile_(std::move(distribution), frame, scale) {}
 
 bool ProfilePointEmitter::sample_emission(const Vec2&, const Vec2& u_direction, EmissionSample& out) const {
   Vec3 direction;

@@ -33,7 +33,7 @@ class PlacedProfile {
 class ProfilePointEmitter : public PunctualEmitter {
  public:
   ProfilePointEmitter(std::shared_ptr<const photometry::Distribution> distribution, const Frame& frame, const Vec3& p,
-                      const Rgb& scale, float error);
+                      const Rgb& scale, float error, const Vec3& shift = {});
   EmitterKind kind() const override { return EmitterKind::profile_point; }
   double flux_lm() const override { return luminance(flux_rgb()); }
   Rgb flux_rgb() const override { return profile_.flux(); }

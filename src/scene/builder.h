@@ -87,11 +87,14 @@ class Builder {
   void warn_of_contacts();
   void add_emissive_instances();
   void add_panes();
+  void find_panes_and_what_they_lie_on();
   void bound(Source& source, const Mesh& mesh, const Affine& to_scene) const;  // in the scene's frame
   void add_sources();
   void add_light(const std::string& name, const LightDescription& light, const SourceDescription& source);
   void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, const SourceDescription& source);
   float opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const;
+  Vec3 off_surfaces(const Vec3& p, const Frame& frame, const photometry::Opening& opening, float error,
+                    const Vec3& front) const;
   std::shared_ptr<const RaySet> rays_of(const LuminaireDescription& luminaire);
   void add_rays(const std::string& name, const LuminaireDescription& luminaire, const SourceDescription& source,
                 const Rgb& scale);
@@ -102,7 +105,7 @@ class Builder {
   // What is known of the source that was begun last; null: it was not there, or stood elsewhere.
   const EmitterProbe* known_probe(const SourceDescription& source) const;
   EmitterProbe probe_of(const SourceDescription& source, const std::function<EmitterProbe()>& find);
-  using PlacedEmitter = std::function<std::unique_ptr<Emitter>(const Vec3& p, const Rgb& scale)>;
+  using PlacedEmitter = std::function<std::unique_ptr<Emitter>(const Vec3& shift, const Rgb& scale)>;
   EmitterProbe place_probe(const SourceDescription& source, const Vec3& p, const PlacedEmitter& make_at);
   void find_exposed();
   void find_concentration();

@@ -7,15 +7,24 @@
 
 #include "geometry/box.h"
 #include "geometry/raytracer.h"
+#include "scene/media.h"
 
 namespace ups {
 
 struct Snapshot;
 
+// A pane within reach of another surface, so that where rays go on beyond the pane may lie behind that, too.
+struct PaneOnSurface {
+  uint32_t instance;
+  uint32_t opaque = none;  // an instance that lets no light by there, if any
+  float covered = 0;       // share of the pane where one does
+};
+
 struct Panes {
   std::vector<bool> of_instance;  // of glazing, and emits nothing; empty: there is none
   std::vector<bool> blended;      // where alpha lets a share of the light by, through glazing too; empty: none
-  Box bounds;                     // of all
+  std::vector<PaneOnSurface> on_surfaces;
+  Box bounds;  // of all
 
   bool empty() const { return of_instance.empty() && blended.empty(); }
   bool is_pane(uint32_t instance) const { return !of_instance.empty() && of_instance[instance]; }

@@ -7,7 +7,7 @@
 #include "emitter/profile.h"
 #include "scene/builder.h"
 #include "scene/length_text.h"
-#include "scene/probe.h"
+#include "scene/footing.h"
 
 namespace ups {
 namespace {

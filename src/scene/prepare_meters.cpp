@@ -6,7 +6,7 @@
 #include "scene/check.h"
 #include "scene/glass_edges.h"
 #include "scene/lightmap.h"
-#include "scene/probe.h"
+#include "scene/footing.h"
 
 namespace ups {
 
@@ -32,7 +32,8 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
     meter.error = set.is_cell() ? error_at(*out_, meter.p, meter.frame.n, half_a, half_b)
                                 : error_at(*out_, meter.p, meter.frame.n);
     if (in.kind == UPS_METER_PLANAR) return;
-    meter.p = meter.p + meter.frame.n * (2 * meter.error);  // it sees both sides from there
+    meter.moved = 2 * meter.error;  // it sees both sides from there
+    meter.p = meter.p + meter.frame.n * meter.moved;
     meter.error = 0;
   });
   if (in.kind == UPS_METER_VECTOR) {

@@ -10,6 +10,7 @@
 #include "photometry/metrics.h"
 #include "scene/builder.h"
 #include "scene/check.h"
+#include "scene/footing.h"
 #include "scene/length_text.h"
 #include "scene/probe.h"
 
@@ -176,7 +177,10 @@ void Builder::add_emissive_instances() {
     out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
     out_->sources.back().of_fixture = described.of_fixture;
     bound(out_->sources.back(), mesh, instances[i].to_scene);
-    if (both_sides && probe.lies_in_another < 0) probe.lies_in_another = lies_in_another(*out_, *emitter, i);
+    if (probe.lies_in_another < 0) {
+      probe.lies_in_another = both_sides && lies_in_another(*out_, *emitter, i);
+      probe.starts_beyond = both_sides ? none : starts_beyond(*out_, *emitter, i);
+    }
     const auto index = uint32_t(emitters_.size());
     const UnitEmitter unit = [emitter, both_sides] {
       return std::make_unique<AreaEmitter>(*emitter, Rgb(1), both_sides);
@@ -188,6 +192,11 @@ void Builder::add_emissive_instances() {
         warn_of(out_->sources.back(),
                 "it emits to both sides, and lies in the plane of another surface, which some of the rays to it meet "
                 "first: part of its light is lost; move it off that surface");
+      if (probe.starts_beyond != none)
+        warn_of(out_->sources.back(),
+                "instance " + std::to_string(out_->instance_ids[probe.starts_beyond]) +
+                    " lies on it, or closer to it than single precision tells apart: light that should meet that "
+                    "starts behind it; move them apart");
       contact_of_source();
       out_->emitter_of_instance[i] = index;
       ++out_->emissive_instance_count;
@@ -229,7 +238,7 @@ EmitterProbe Builder::probe_of(const SourceDescription& source, const std::funct
 // Of a source without extent at p.
 EmitterProbe Builder::place_probe(const SourceDescription& source, const Vec3& p, const PlacedEmitter& make_at) {
   const EmitterProbe probe = probe_of(source, [&] {
-    const SourcePlace found = off_surfaces(*out_, p, *make_at(p, Rgb(1)));
+    const SourcePlace found = ups::off_surfaces(*out_, p, *make_at(Vec3(), Rgb(1)));
     EmitterProbe out;
     out.place = found.p, out.into_surface = found.into_surface;
     return out;
@@ -268,16 +277,18 @@ void Builder::add_light(const std::string& name, const LightDescription& light, 
   const Vec3 axis = -Axes(light.to_world).frame().n;
   // Light paths start on a disc that covers the scene, and those of meters' discs that reach beyond it.
   const float radius = out_->radius > 0 ? out_->radius * (1 + largest_meter_disc) : 1.0f;
-  const auto make_at = [=, centre = out_->centre](const Vec3& p, const Rgb& of) -> std::unique_ptr<Emitter> {
-    if (light.kind == UPS_LIGHT_POINT) return std::make_unique<PointEmitter>(p, of, free_error(p));
+  const bool has_place = light.kind != UPS_LIGHT_DIRECTIONAL;  // wherever it says it is
+  const Vec3 p = has_place ? to_scene(light.to_world.column(3)) : Vec3();
+  const auto make_at = [=, centre = out_->centre](const Vec3& shift, const Rgb& of) -> std::unique_ptr<Emitter> {
+    if (light.kind == UPS_LIGHT_POINT) return std::make_unique<PointEmitter>(p, of, free_error(p), shift);
     if (light.kind == UPS_LIGHT_SPOT)
-      return std::make_unique<SpotEmitter>(p, axis, of, light.inner_cone_rad, light.outer_cone_rad, free_error(p));
+      return std::make_unique<SpotEmitter>(p, axis, of, light.inner_cone_rad, light.outer_cone_rad, free_error(p),
+                                           shift);
     return std::make_unique<DirectionalEmitter>(axis, of, radius, centre);
   };
-  const EmitterProbe probe = light.kind == UPS_LIGHT_DIRECTIONAL  // which has no place, wherever it says it is
-                                 ? probe_of(source, [] { return EmitterProbe(); })
-                                 : place_probe(source, to_scene(light.to_world.column(3)), make_at);
-  const auto make = [=, p = probe.place](const Rgb& of) { return make_at(p, of); };
+  const EmitterProbe probe =
+      has_place ? place_probe(source, p, make_at) : probe_of(source, [] { return EmitterProbe(); });
+  const auto make = [=, shift = probe.place - p](const Rgb& of) { return make_at(shift, of); };
   const Vec3 front = light.kind == UPS_LIGHT_DIRECTIONAL ? out_->centre - axis * out_->radius : probe.place;
   add_emitter(name, make(intensity), [make] { return make(Rgb(1)); }, front, probe);
 }
@@ -310,30 +321,33 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   if (!luminaire.use_opening || !has_area) {
     if (luminaire.use_opening && opening.shape != photometry::OpeningShape::point)
       warn_of(out_->sources.back(), "the opening has a single extent, so no area: light comes from a point");
-    const auto make_at = [=](const Vec3& at, const Rgb& of) {
-      return std::make_unique<ProfilePointEmitter>(distribution, frame, at, of, free_error(at));
+    const auto make_at = [=](const Vec3& shift, const Rgb& of) {
+      return std::make_unique<ProfilePointEmitter>(distribution, frame, p, of, free_error(p), shift);
     };
     const EmitterProbe probe = place_probe(source, p, make_at);
-    const auto make = [=, q = probe.place](const Rgb& of) { return make_at(q, of); };
+    const auto make = [=, shift = probe.place - p](const Rgb& of) { return make_at(shift, of); };
     add_emitter(name, make(scale), [make] { return make(Rgb(1)); }, probe.place, probe, size);
     return;
   }
+  const auto make_at = [=, opening = opening](const Vec3& at, const Rgb& of, float error) {
+    return std::make_unique<ProfileOpeningEmitter>(distribution, frame, at, opening, of, error);
+  };
   const EmitterProbe probe = probe_of(source, [&] {
     EmitterProbe found;
     found.error = opening_error(p, frame, opening);
+    found.place = off_surfaces(p, frame, opening, found.error, make_at(p, Rgb(1), found.error)->normal());
     return found;
   });
   const float error = probe.error;
-  const auto make = [=, opening = opening](const Rgb& of) {
-    return std::make_unique<ProfileOpeningEmitter>(distribution, frame, p, opening, of, error);
-  };
+  const Vec3 at = probe.place;
+  const auto make = [=](const Rgb& of) { return make_at(at, of, error); };
   auto emitter = make(scale);
   // Where its rays start, and where walks run into it. A body is found by the ball around it (a disc without normal).
   const DiscIndex::Disc disc =
       emitter->is_flat()
-          ? DiscIndex::Disc{p + emitter->normal() * (2 * error), emitter->normal(), emitter->circumscribed_radius()}
-          : DiscIndex::Disc{p, Vec3(), emitter->circumscribed_radius() + 4 * error};
-  const Vec3 front = emitter->is_flat() ? disc.center : p + nadir * (0.5f * opening.size_m[2] + 2 * error);
+          ? DiscIndex::Disc{at + emitter->normal() * (2 * error), emitter->normal(), emitter->circumscribed_radius()}
+          : DiscIndex::Disc{at, Vec3(), emitter->circumscribed_radius() + 4 * error};
+  const Vec3 front = emitter->is_flat() ? disc.center : at + nadir * (0.5f * opening.size_m[2] + 2 * error);
   const auto index = uint32_t(emitters_.size());
   if (!add_emitter(name, std::move(emitter), [make] { return make(Rgb(1)); }, front, probe, size)) return;
   openings_.push_back(disc);
@@ -343,6 +357,27 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
 Vec3 Builder::place_of(const LuminaireDescription& luminaire) {
   const Contact* contact = contact_of_source();
   return to_scene(luminaire.to_world.column(3) + (contact && contact->is_moved() ? contact->shift : Vec3d()));
+}
+
+// An opening of which a face lies on an opaque surface, as under a ceiling, is moved off it by more than its rays start
+// off its faces, 8 errors along their own line at most (emission_origin), and than shadow rays are shortened: else what it
+// sends there would start behind it.
+Vec3 Builder::off_surfaces(const Vec3& p, const Frame& frame, const photometry::Opening& opening, float error,
+                           const Vec3& front) const {
+  const Vec3 axes[3] = {frame.s, frame.t, frame.n};
+  const bool flat = !(opening.size_m[0] > 0 && opening.size_m[1] > 0 && opening.size_m[2] > 0);
+  const float lift = std::max(12 * error, least_source_lift(*out_));
+  Vec3 moved = p;
+  for (int k = 0; k < 3; ++k) {
+    if (flat && opening.size_m[k] > 0) continue;
+    const Vec3 half = axes[k] * (0.5f * opening.size_m[k]), a = axes[(k + 1) % 3] * (0.5f * opening.size_m[(k + 1) % 3]),
+               b = axes[(k + 2) % 3] * (0.5f * opening.size_m[(k + 2) % 3]);
+    const bool above = lies_on_opaque(*out_, p + half, axes[k], a, b),
+               below = lies_on_opaque(*out_, p - half, -axes[k], a, b);
+    if (flat && (above || below)) moved = moved + front * lift;
+    if (!flat && above != below) moved = moved + axes[k] * (above ? -lift : lift);
+  }
+  return moved;
 }
 
 // Of the opening's surface: a side of its box may lie on a surface of the scene.

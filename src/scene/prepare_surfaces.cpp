@@ -5,6 +5,7 @@
 #include "bsdf/fresnel.h"
 #include "scene/builder.h"
 #include "scene/check.h"
+#include "scene/close_surfaces.h"
 #include "scene/length_text.h"
 
 namespace ups {
@@ -182,8 +183,12 @@ void Builder::add_geometry() {
   // Whatever is known of their room already: a build without `earlier` knows nothing.
   const auto to_move = [](const auto& c) { return c.second.is_to_move(); };
   const auto blends = [](const SurfaceTexturing& t) { return t.alpha_mode == SurfaceTexturing::blend; };
+  const auto is_glazing = [&](const Raytracer::Instance& i) {
+    return out_->materials[i.material].model == MaterialModel::glazing;
+  };
   out_->finds_all = std::any_of(out_->contacts.begin(), out_->contacts.end(), to_move) ||
-                    std::any_of(out_->texturing.begin(), out_->texturing.end(), blends);
+                    std::any_of(out_->texturing.begin(), out_->texturing.end(), blends) ||
+                    std::any_of(instances.begin(), instances.end(), is_glazing);
   same_geometry_ = earlier_ && !new_contacts_ && has_same_origin() && earlier_->instances.size() == instances.size() &&
                    earlier_->texturing == out_->texturing && earlier_->finds_all == out_->finds_all;
   for (size_t i = 0; same_geometry_ && i < instances.size(); ++i) same_geometry_ = is_same_instance(i);
@@ -219,11 +224,22 @@ bool Builder::is_same_instance(size_t i) const {
 // Glazing that begins to emit is no pane any more: then probe rays may find other surfaces than they did. Where texturing
 // changes, the ray tracer is another, too.
 void Builder::add_panes() {
+  find_panes_and_what_they_lie_on();
+  constexpr float told = 0.25f;
+  for (const PaneOnSurface& pane : out_->panes.on_surfaces)
+    if (pane.covered > told)
+      warn_of("instance", out_->instance_ids[pane.instance],
+              "a pane that lies on instance " + std::to_string(out_->instance_ids[pane.opaque]) +
+                  ", which no light goes through: cut an opening there");
+}
+
+void Builder::find_panes_and_what_they_lie_on() {
   if (same_places_ && earlier_->emitter_of_instance == out_->emitter_of_instance) {
     out_->panes = earlier_->panes;
     return;
   }
   out_->panes = find_panes(*out_, out_->instances);
+  out_->panes.on_surfaces = find_panes_on_surfaces(*out_, threads_);
   if (!same_places_ || out_->panes == earlier_->panes) return;
   same_places_ = same_emitters_ = false;
   for (EmitterProbe& probe : out_->emitter_probes) probe = {};

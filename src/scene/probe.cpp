@@ -13,149 +13,15 @@
 
 namespace ups {
 
-float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n) {
-  const float own = free_error(p);
-  const float reach = 0x1p-17f * scene.radius;  // no surface point's error is larger
-  Hit hit;
-  if (!(reach > 0) || !scene.raytracer->intersect(p + n * reach, -n, 2 * reach, hit)) return own;
-  const SurfacePoint s = scene.raytracer->surface_at(hit);
-  const float distance = std::abs(reach - hit.t);
-  return distance <= own + 2 * s.error ? own + distance + s.error : own;
-}
-
-float error_at(const Snapshot& scene, const Vec3& p, const Vec3& n, const Vec3& half_a, const Vec3& half_b) {
-  float error = error_at(scene, p, n);
-  for (const Vec3& corner : {p + half_a + half_b, p + half_a - half_b, p - half_a + half_b, p - half_a - half_b})
-    error = std::max(error, error_at(scene, corner, n));
-  return error;
-}
-
-Vec3 off_walls(const Snapshot& scene, const Vec3& p, const Frame& frame) {
-  constexpr int directions = 8, passes = 2;  // in a corner the first wall hides the second
-  const float reach = 0x1p-17f * scene.radius, error = free_error(p);
-  Vec3 moved = p;
-  for (int k = 0; k < passes * directions && reach > 0; ++k) {
-    const float phi = float(k) * (2 * pi / directions);
-    const Vec3 u = frame.s * std::cos(phi) + frame.t * std::sin(phi);
-    Hit hit;
-    if (!scene.raytracer->intersect(moved + frame.n * reach - u * reach, u, 2 * reach, hit)) continue;
-    const SurfacePoint wall = scene.raytracer->surface_at(hit);
-    const float height = dot(moved - wall.p, wall.ng), rounding = error + wall.error;
-    if (std::abs(height) < 2 * rounding) moved = moved + wall.ng * (2 * rounding - height);
-  }
-  return moved;
-}
-
-namespace {
-
-// A source on a plane: the shares of its light that leave to the front and to the back.
-class Sides {
- public:
-  Sides(const Snapshot& scene, const Emitter& emitter, const Vec3& p, const Vec3& n, float lift)
-      : scene_(scene), emitter_(emitter), p_(p), n_(n), lift_(lift) {
-    each([&](const Vec3&, bool behind, double flux) { flux_[behind] += flux; });
-  }
-  double share(bool behind) const {
-    const double all = flux_[0] + flux_[1];
-    return all > 0 ? flux_[behind] / all : 0.5;
-  }
-
-  // Nearly all of the light decides; else what it meets, as a lamp on a floor lights the room and not what is below it.
-  // Between two rooms the front is meant.
-  bool is_behind() const {
-    constexpr double nearly_all = 0.9, more = 1.25, least = 0.15;
-    for (const bool behind : {false, true})
-      if (share(behind) >= nearly_all) return behind;
-    double met[2] = {};
-    // The inside of a slab or a plinth is no room: lengths are measured across the plane.
-    const float narrow = std::min(1.0f, scene_.radius / 2);
-    each([&](const Vec3& direction, bool behind, double flux) {
-      // Beyond another wall that it lies on, too.
-      const Vec3 origin = p_ + n_ * (behind ? -lift_ : lift_) + direction * (4 * lift_);
-      Hit hit;
-      if (!intersect_beyond_panes(scene_, origin, direction, hit)) return;
-      if (std::abs(dot(scene_.raytracer->surface_at(hit).p - p_, n_)) > narrow) met[behind] += flux;
-    });
-    return met[1] > more * met[0] + least * flux_[1];
-  }
-
- private:
-  template <class Visit>
-  void each(const Visit& visit) const {
-    constexpr uint32_t count = 256;
-    for (uint32_t i = 0; i < count; ++i) {
-      const auto u = philox({i, 4, 0, 0}, {0, 0});
-      const Vec2 direction((float(i) + 0.5f) / count, to_unit_float(u[0]));
-      EmissionSample s;
-      if (!emitter_.sample_emission({0.5f, 0.5f}, direction, s)) continue;
-      visit(s.direction, dot(s.direction, n_) < 0, double(luminance(s.flux)));
-    }
-  }
-
-  const Snapshot& scene_;
-  const Emitter& emitter_;
-  Vec3 p_, n_;
-  float lift_;
-  double flux_[2] = {};
-};
-
-bool lets_light_by(const Snapshot& scene, const SurfacePoint& s) {
-  return scene.panes.is_crossed(s.instance) || traits_of(scene.materials[s.material]).transmits;
-}
-
-}  // namespace
-
-SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& emitter) {
-  const float reach = 0x1p-17f * scene.radius, own = free_error(p);
-  // Shadow rays end this much before it at most, see segment_free (transport/encounter.h).
-  const float least_lift = 16 * 0x1p-24f * 4 * scene.radius;
-  SourcePlace out{p, 0};
-  constexpr int lines = 6, passes = 2;  // a plane is crossed by one axis at least; what is met first may hide another
-  for (int k = 0; k < lines * passes && reach > 0; ++k) {
-    const float sign = k % 2 == 0 ? 1.0f : -1.0f;
-    const Vec3 u(k / 2 % 3 == 0 ? sign : 0, k / 2 % 3 == 1 ? sign : 0, k / 2 % 3 == 2 ? sign : 0);
-    Hit hit;
-    if (!scene.raytracer->intersect(out.p - u * reach, u, 2 * reach, hit)) continue;
-    const SurfacePoint s = scene.raytracer->surface_at(hit);
-    const float height = dot(out.p - s.p, s.ng), rounding = own + s.error, lift = std::max(2 * rounding, least_lift);
-    if (!(std::abs(height) < 0.95f * lift)) continue;  // 1: it has been moved off this one
-    if (std::abs(height) > 1.9f * rounding) {  // off it by so little that from far away it would be seen through it
-      out.p = out.p + s.ng * (std::copysign(lift, height) - height);
-      continue;
-    }
-    const Sides sides(scene, emitter, out.p - s.ng * height, s.ng, lift);
-    // What lies on glass is outside.
-    const bool glass = scene.materials[s.material].model == MaterialModel::glass,
-               behind = glass ? scene.media.is_inside_out(s.instance) : sides.is_behind();
-    out.p = out.p + s.ng * ((behind ? -lift : lift) - height);
-    if (!lets_light_by(scene, s)) out.into_surface = std::max(out.into_surface, float(sides.share(!behind)));
-  }
-  return out;
-}
-
-bool lies_in_another(const Snapshot& scene, const Emitter& emitter, uint32_t instance) {
-  constexpr uint32_t count = 64;
-  for (uint32_t i = 0; i < count; ++i) {
-    const auto u = philox({i, 5, 0, 0}, {0, 0});
-    EmissionSample s;
-    if (!emitter.sample_emission({(float(i) + 0.5f) / count, to_unit_float(u[0])},
-                                 {to_unit_float(u[1]), to_unit_float(u[2])}, s))
-      continue;
-    const float away = 64 * s.error / std::max(s.cos_0, 0.1f);
-    Hit hit;
-    if (!scene.raytracer->intersect(s.p + s.direction * away, -s.direction, 2 * away, hit) || hit.instance == instance)
-      continue;
-    const SurfacePoint other = scene.raytracer->surface_at(hit);
-    if (std::abs(dot(other.p - s.p, s.n)) <= 2 * (s.error + other.error) && std::abs(dot(other.ng, s.n)) > 0.9999f &&
-        !lets_light_by(scene, other))
-      return true;
-  }
-  return false;
+double lamps_lm(const EmitterSet& emitters) {
+  double sum = 0;
+  for (size_t i = 0; i < emitters.size(); ++i) sum += emitters[i].is_directional() ? 0.0 : emitters[i].flux_lm();
+  return sum;
 }
 
 std::vector<uint32_t> some_emitters(const EmitterSet& emitters, size_t most) {
   const size_t stride = (emitters.size() + most - 1) / most;
-  const double strong = emitters.flux_lm() / double(most);
+  const double strong = lamps_lm(emitters) / double(most);
   std::vector<uint32_t> out;
   for (size_t i = 0; i < emitters.size(); ++i)
     if (i % stride == 0 || emitters[i].flux_lm() > strong) out.push_back(uint32_t(i));
@@ -203,21 +69,30 @@ float exposed_share(const Snapshot& scene, const Emitter& emitter) {
 namespace {
 
 // Squared, how far light sees that scatters where it arrives; 0: it meets nothing. At a diffuser on the side where that
-// is farther, as on the other it may see an emitter close by; the open is as far as the scene.
+// is farther, as on the other it may see an emitter close by, and beyond further ones behind it, as of a frosted bulb in
+// a shade; the open is as far as the scene.
 double reach2_from(const Snapshot& scene, const FirstLight& light, const Vec2& u) {
-  const SurfacePoint& s = light.surface;
-  const bool through = Bsdf(scene.materials[s.material], s.uv).transmits_continuously();
-  const Vec3 lit = dot(light.direction, s.ng) < 0 ? s.ng : -s.ng;
+  constexpr int most = 8;  // layers
+  SurfacePoint s = light.surface;
+  Vec3 direction = light.direction;
   double farthest2 = 0;
-  for (const Vec3& side : {lit, -lit}) {
-    const Vec3 onwards = Frame(side).to_world(square_to_cosine_hemisphere(u));
+  for (int layer = 0; layer < most; ++layer) {
+    const bool through = Bsdf(scene.materials[s.material], s.uv).transmits_continuously();
+    if (layer > 0 && !through) break;
+    const Vec3 lit = dot(direction, s.ng) < 0 ? s.ng : -s.ng;
     Hit hit;
-    const bool met = intersect_blended(scene, s.ray_origin(onwards), onwards, hit);
-    const double distance2 = met       ? double(length2(scene.raytracer->surface_at(hit).p - s.p))
-                             : through ? double(scene.radius) * double(scene.radius)
-                                       : 0;
-    farthest2 = std::max(farthest2, distance2);
-    if (!through) break;
+    bool met = false;
+    for (const Vec3& side : {lit, -lit}) {
+      direction = Frame(side).to_world(square_to_cosine_hemisphere(u));
+      met = intersect_blended(scene, s.ray_origin(direction), direction, hit);
+      const double distance2 = met       ? double(length2(scene.raytracer->surface_at(hit).p - light.surface.p))
+                               : through ? double(scene.radius) * double(scene.radius)
+                                         : 0;
+      farthest2 = std::max(farthest2, distance2);
+      if (!through) break;
+    }
+    if (!met || !through) break;
+    s = scene.raytracer->surface_at(hit);
   }
   return farthest2;
 }
@@ -235,18 +110,25 @@ bool by_mirror(const Snapshot& scene, FirstLight& light) {
   return light.hit;
 }
 
-// Directional light that a mirror reflects: of rays all over a scene few would meet it.
+// Directional light that a mirror reflects: of rays all over a scene few would meet it, and of those to a plane, where
+// its mirrors are far apart.
 FirstLight light_by_plane(const Snapshot& scene, const Emitter& directional, const FlatMirrors::Plane& plane,
                           uint32_t i) {
-  const auto u = philox({i, 3, 0, 0}, {0, 0});
+  constexpr uint32_t tries = 32;
   const auto within = [](uint32_t number, float half) { return half * (2 * to_unit_float(number) - 1); };
-  const Vec3 at = plane.center + plane.s * within(u[0], plane.half_s) + plane.t * within(u[1], plane.half_t);
-  DirectSample s;
   FirstLight out;
-  if (!directional.sample_direct(at, {0.5f, 0.5f}, s)) return out;
-  out.direction = -s.wi;
-  out.origin = at + s.wi * s.distance;
-  if (by_mirror(scene, out)) out.flux = 1;
+  for (uint32_t k = 0; k < tries; ++k) {
+    const auto u = philox({i, 3, k, 0}, {0, 0});
+    const Vec3 at = plane.center + plane.s * within(u[0], plane.half_s) + plane.t * within(u[1], plane.half_t);
+    DirectSample s;
+    if (!directional.sample_direct(at, {0.5f, 0.5f}, s)) return out;
+    out.direction = -s.wi;
+    out.origin = at + s.wi * s.distance;
+    if (by_mirror(scene, out)) {
+      out.flux = 1;
+      return out;
+    }
+  }
   return out;
 }
 
@@ -312,7 +194,7 @@ float first_light_concentration(const Snapshot& scene, std::vector<EmitterProbe>
   const size_t count = scene.emitters.size();
   if (count == 0) return 0;
   const uint32_t rays = count > few ? 64 : 256;
-  const double least_lm = std::min(least_share, 0.1 / double(count)) * scene.emitters.flux_lm();
+  const double least_lm = std::min(least_share, 0.1 / double(count)) * lamps_lm(scene.emitters);
   std::vector<uint32_t> looked_at = some_emitters(scene.emitters, most);
   looked_at.erase(std::remove_if(looked_at.begin(), looked_at.end(),
                                  [&](uint32_t e) { return !(scene.emitters[e].flux_lm() >= least_lm); }),

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/text.h"
+#include "scene/close_surfaces.h"
 #include "scene/doubts.h"
 #include "scene/duplicates.h"
 #include "scene/length_text.h"
@@ -79,6 +80,16 @@ void find_swallowed(const Snapshot& scene, ThreadPool& threads, Warnings& warn) 
   }
 }
 
+void find_glass_without_room(const Snapshot& scene, ThreadPool& threads, Warnings& warn) {
+  std::vector<uint32_t> ids;
+  for (const uint32_t i : find_thin_glass(scene, threads)) ids.push_back(scene.instance_ids[i]);
+  if (!ids.empty())
+    warn.push_back(listed("instance", ids) +
+                   ": a solid of glass that is thinner than single precision resolves so far from the middle of the "
+                   "scene: light that enters it does not meet its other side; make it a pane (glazing), or the scene "
+                   "smaller");
+}
+
 template <class Find>
 void search(SearchedWarnings& searched, Warnings& out, const Find& find) {
   const std::lock_guard lock(searched.mutex);
@@ -98,6 +109,7 @@ std::vector<std::string> searched_warnings(const Snapshot& scene, ThreadPool& po
   search(*scene.surface_search, out, [&](Warnings& found) {
     find_overlaps(scene, pool, found);
     find_odd_triangles(scene, pool, found);
+    find_glass_without_room(scene, pool, found);
   });
   search(*scene.light_search, out, [&](Warnings& found) { find_swallowed(scene, pool, found); });
   return out;

@@ -64,7 +64,8 @@ struct Observer {
 struct EmitterProbe {
   Vec3 place;                 // of a source without extent, off the surface that it lies on
   float into_surface = 0;     // the share of its light that goes into that
-  int lies_in_another = -1;   // of a surface that emits to both sides, see scene/probe.h; < 0: not asked for
+  int lies_in_another = -1;   // of an emissive surface, see scene/footing.h; < 0: not asked for
+  uint32_t starts_beyond = none;  // the same
   float error = 0;            // of an opening's surface
   float exposed = -1;         // share of its light, see scene/probe.h; < 0: not asked for
   double concentration = -1;  // the same

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/rng.h"
+#include "scene/panes.h"
 
 namespace ups {
 
@@ -15,12 +16,12 @@ constexpr double enough = 16;  // light paths that meet a surface
 // Of so many casters, those that an emitter takes.
 size_t looked_at(size_t casters, size_t points) { return std::min(casters, points / fewest); }
 
-// Surfaces with a delta lobe or a sharp one.
+// Surfaces with a delta lobe or a sharp one; what a pane that shines lets through is one.
 std::vector<uint32_t> casters_of(const Snapshot& scene) {
   std::vector<uint32_t> out;
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MaterialTraits t = traits_of(scene.materials[scene.instances[i].material]);
-    if ((t.delta || t.glossy) && scene.meshes[scene.instances[i].mesh]->triangle_count() > 0) out.push_back(i);
+    if ((t.delta || t.glossy || is_shining_pane(scene, i)) && scene.meshes[scene.instances[i].mesh]->triangle_count() > 0) out.push_back(i);
   }
   return out;
 }

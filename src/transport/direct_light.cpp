@@ -22,7 +22,7 @@ float relative_rounding(const Iteration& in, const Meter& meter, const EyeEnd& e
                              ? dot(way, meter.frame.n) / d
                              : eye.response.value(eye.surface.shading.to_local(way / d)),
               cosine = std::max(response, min_cosine);
-  const float place = (mirrored ? 32 : 2) * unit_roundoff * in.scene.radius + meter.error;
+  const float place = (mirrored ? 32 : 2) * unit_roundoff * in.scene.radius + meter.error + meter.moved;
   return 64 * unit_roundoff + place / whole * (2 + 2 / cosine);
 }
 

@@ -162,7 +162,8 @@ struct Ray {
   Vec3 o, d;
   float from = 0, last = -1, reach = 0;  // of what was passed last, to be met once
   uint32_t instance = none;
-  // Other surfaces that a blended one lies on, as a rug on a floor: where the ray goes on lies beyond them.
+  // Other surfaces that a blended one lies on, as a rug on a floor, or a pane, as on a wall: where the ray goes on lies
+  // beyond them.
   std::array<Hit, 4> beneath{};  // t from o
   size_t beneath_count = 0, beneath_met = 0;
 
@@ -185,7 +186,7 @@ struct Ray {
     const float lift = 2 * s.error + 4 * 0x1p-24f * (max_abs(o) + distance), cosine = std::abs(dot(d, s.ng));
     const float beyond = distance + lift / std::max(cosine, 0.05f);
     if (beneath_met < beneath_count) return;  // what is left lies before where the ray goes on
-    if (!scene.panes.blended.empty()) find_beneath(s, distance, 2 * distance - beyond, beyond);
+    if (!scene.panes.blended.empty() || !scene.panes.on_surfaces.empty()) find_beneath(s, distance, 2 * distance - beyond, beyond);
     last = distance;
     instance = s.instance;
     reach = 2 * lift / std::max(cosine, 1e-3f);

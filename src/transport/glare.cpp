@@ -200,7 +200,8 @@ void sort_and_join(std::vector<SeenSource>& sources) {
   std::stable_sort(sources.begin(), sources.end(), by_term);
   std::map<uint32_t, size_t> place;
   size_t kept = 0;
-  for (const SeenSource source : sources) {  // a copy: it may be written over
+  for (size_t i = 0; i < sources.size(); ++i) {
+    const SeenSource source = sources[i];  // a copy: it may be written over
     const auto [at, is_new] = place.try_emplace(source.emitter, kept);
     if (is_new) sources[kept++] = source;
     else add_part(source, sources[at->second]);

@@ -64,7 +64,7 @@ struct alignas(64) LightVertex {
     e.local_wo = e.surface.shading.to_local(wo);
     e.state = state();
     e.merge = merge;
-    e.caster = e.bsdf->is_glossy(default_glossy_alpha);
+    e.caster = e.bsdf->is_caster();
     e.edges = depth;
     e.carried = flux;
   }

@@ -139,8 +139,10 @@ class Chooser {
       paths += double(c.pixel_count()) * (1 + c.illuminance()) / plan.camera_subsets;
     for (size_t s = 0; s < scene.meter_sets.size(); ++s) {
       paths += double(scene.meter_sets[s].meters.size()) / plan.meter_subsets * plan.meter_samples;
-      // A point's light by way of mirrors alone meets a cell, where nothing is merged, by landing.
-      needs_landings_[units_.of_set(s)] = scene.meter_sets[s].is_cell() && !scene.effects.path_tracing_complete;
+      // Caustics meet a cell, where nothing is merged, by landing: a point's light by way of mirrors by that alone, a
+      // small lamp's or a polished metal's but for rare eye paths.
+      needs_landings_[units_.of_set(s)] =
+          scene.meter_sets[s].is_cell() && (plan.seeks_caustics || !scene.effects.path_tracing_complete);
     }
     for (size_t c = 0; c < scene.cameras.size(); ++c) leave_out_noiseless(units_.begin(c), units_.end(c));
     leave_out_noiseless(units_.begin(scene.cameras.size()), units_.count);

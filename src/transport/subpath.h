@@ -109,7 +109,7 @@ class Subpath {
     v.front = &met_.front, v.back = &met_.back;
     v.state = arrive([&] { return receiver_at(v.surface, v.wo, *v.bsdf); }, std::abs(dot(direction_, v.surface.ng)),
                      met_.distance);
-    v.caster = v.bsdf->is_glossy(default_glossy_alpha);
+    v.caster = v.bsdf->is_caster();
     if (consistent_side(v.surface, v.wo, v.local_wo)) return true;
     if (!is_finite(v.local_wo)) return drop(own_walk);
     lose_by_leaning(luminance(carried_ * v.bsdf->textured().reflectance));

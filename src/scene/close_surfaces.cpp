@@ -1,0 +1,91 @@
+// See close_surfaces.h.
+#include "scene/close_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/rng.h"
+#include "scene/panes.h"
+
+namespace ups {
+
+namespace {
+
+constexpr uint32_t points = 64;  // of an instance
+
+// The share of an instance's area where is_so(point), by points on its triangles.
+template <class IsSo>
+float share_of(const Snapshot& scene, uint32_t instance, const IsSo& is_so) {
+  const Mesh& mesh = *scene.meshes[scene.instances[instance].mesh];
+  const uint32_t triangles = mesh.triangle_count();
+  double so = 0, all = 0;
+  for (uint32_t i = 0; i < points && triangles > 0; ++i) {
+    const auto u = philox({i, 6, instance, 0}, {0, 0});
+    const float a = std::sqrt(to_unit_float(u[0])), b = to_unit_float(u[1]);
+    const auto triangle = uint32_t(uint64_t(i) * 0x9e3779b1u % triangles);
+    const auto corner = [&](size_t k) { return Vec3d(mesh.positions[mesh.indices[3 * size_t(triangle) + k]]); };
+    const double area = length(cross(corner(1) - corner(0), corner(2) - corner(0)));
+    all += area;
+    if (is_so(scene.raytracer->surface_at(instance, triangle, a * (1 - b), a * b))) so += area;
+  }
+  return all > 0 ? float(so / all) : 0;
+}
+
+// As far as a ray goes on beyond a surface that it has passed, at most: see encounter.cpp, Ray::pass.
+float passed(const Snapshot& scene, const SurfacePoint& s) { return 2 * s.error + 16 * 0x1p-24f * scene.radius; }
+
+}  // namespace
+
+std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadPool& pool) {
+  std::vector<PaneOnSurface> found;
+  for (uint32_t i = 0; i < scene.instances.size(); ++i)
+    if (scene.panes.is_pane(i)) found.push_back({i});
+  std::vector<char> close(found.size());
+  parallel_for(pool, found.size(), [&](size_t i) {
+    PaneOnSurface& pane = found[i];
+    std::vector<Hit> hits;
+    pane.covered = share_of(scene, pane.instance, [&](const SurfacePoint& s) {
+      const float length = passed(scene, s);
+      hits.clear();
+      scene.raytracer->intersect_all(s.p - s.ng * length, s.ng, 2 * length, hits);
+      for (const Hit& hit : hits) {
+        if (hit.instance == pane.instance) continue;
+        close[i] = true;
+        const Material& other = scene.materials[scene.instances[hit.instance].material];
+        if (scene.panes.is_crossed(hit.instance) || traits_of(other).transmits) continue;
+        pane.opaque = hit.instance;
+        return true;
+      }
+      return false;
+    });
+  });
+  size_t kept = 0;
+  for (size_t i = 0; i < found.size(); ++i)
+    if (close[i]) found[kept++] = found[i];
+  found.resize(kept);
+  return found;
+}
+
+std::vector<uint32_t> find_thin_glass(const Snapshot& scene, ThreadPool& pool) {
+  std::vector<uint32_t> glass;
+  for (uint32_t i = 0; i < scene.instances.size(); ++i)
+    if (scene.media.of_instance[i] != none) glass.push_back(i);
+  std::vector<float> thin(glass.size());
+  parallel_for(pool, glass.size(), [&](size_t i) {
+    const bool inside_out = scene.media.is_inside_out(glass[i]);
+    thin[i] = share_of(scene, glass[i], [&](const SurfacePoint& s) {
+      // From where a refracted ray starts back to the face that it came through; behind the glass it is the other one.
+      const Vec3 outwards = inside_out ? -s.ng : s.ng;
+      Hit hit;
+      if (!scene.raytracer->intersect(s.p - outwards * (2 * s.error), outwards, 3 * s.error, hit)) return false;
+      const Vec3 ng = scene.raytracer->surface_at(hit).ng;
+      return hit.instance == glass[i] && (dot(outwards, ng) < 0) != inside_out;
+    });
+  });
+  std::vector<uint32_t> out;
+  for (size_t i = 0; i < glass.size(); ++i)
+    if (thin[i] > 0.5f) out.push_back(glass[i]);
+  return out;
+}
+
+}  // namespace ups

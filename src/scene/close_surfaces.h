@@ -1,0 +1,18 @@
+// Surfaces that are closer to each other than rays are lifted off them: panes that lie on others, glass without room for
+// a ray in it. By points of each instance.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.h"
+#include "scene/snapshot.h"
+
+namespace ups {
+
+// The ray tracer must find all hits.
+std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadPool& pool);
+
+// Solids of glass most of which is thinner than what a refracted ray starts off the surface: it would start behind them.
+std::vector<uint32_t> find_thin_glass(const Snapshot& scene, ThreadPool& pool);
+
+}  // namespace ups

@@ -1,0 +1,91 @@
+// Surfaces that lie on one another, or closer than rays are lifted off them: panes on walls, openings and emitters
+// under a floor of a single sheet, glass in which a ray has no room.
+#include "../analytic/ies_text.h"
+#include "../support/expect_same.h"
+#include "../support/scene_warnings.h"
+#include "measured.h"
+
+namespace ups::test {
+namespace {
+
+// A pane drawn on a wall without an opening, or a little before or behind it, at the middle of the scene and far off:
+// where light goes on beyond the pane lay behind both (before: what the pane lets by, 0.86 of the light). Exactly 0,
+// whichever was made first; a wall beyond the pane is met. Told.
+TEST(Taught, PanesOnWallsLetNothingThrough) {
+  const auto read = [](double far_off, double gap, bool pane_first) {
+    Scene scene;
+    const P3 o{far_off, 0, 0};
+    const auto pane = [&] {
+      scene.add(quad(o + P3{-2, -2, gap}, {4, 0, 0}, {0, 4, 0}), material(UPS_MATERIAL_GLAZING, 0));
+    };
+    if (pane_first) pane();
+    scene.add(quad({-100, -100, 0}, {200, 0, 0}, {0, 200, 0}), matte(0.5));
+    if (!pane_first) pane();
+    scene.add_point_light(o + P3{0.3, 0.2, 2}, 1000);
+    std::vector<P3> points;
+    for (int i = 0; i < 100; ++i) points.push_back(o + P3{0.4 * (i % 10) - 1.83, 0.4 * (i / 10) - 1.81, -1});
+    const Sensor meters = scene.add_meters(points, {0, 0, 1});
+    const std::string what = std::to_string(far_off) + " m off, gap " + std::to_string(1e6 * gap) + " um";
+    EXPECT_NE(scene_warnings(scene).find("cut an opening there"), std::string::npos) << what;
+    for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_PPM, UPS_METHOD_LIGHT_TRACING})
+      for (const ups_meter_reading& r : scene.render({.method = method, .iterations = 16}).readings(meters))
+        EXPECT_EQ(r.illuminance_lx, 0) << what << ", " << method_name(method);
+  };
+  for (const double far_off : {0.0, 80.0})
+    for (const double gap : {0.0, 5e-5, -5e-5})
+      for (const bool pane_first : {true, false}) read(far_off, gap, pane_first);
+}
+
+// A luminaire mounted below a floor of a single sheet, of which 30 % shine up: its opening's upper face lies in the
+// sheet, and what leaves it started above (before: some 170 lx in the room above).
+TEST(Taught, OpeningsUnderAFloorLightNothingAbove) {
+  for (const double height : {0.0, 0.05})
+    for (const double far_off : {0.0, 60.0}) {
+      const std::string ies =
+          ies_text([](double, double gamma) { return std::abs(std::cos(gamma)) * (gamma < pi_d / 2 ? 700 : 300); }, {0},
+                   steps(1, 180), ies_number(0.6) + " " + ies_number(0.6) + " " + ies_number(height));
+      const auto read = [&](double lower, ups_method method) {
+        Scene scene;
+        const Profile profile = parse(scene.context(), ies);
+        scene.add(quad({-70, -70, 3}, {140, 0, 0}, {0, 140, 0}), matte(0));
+        const P3 o{far_off, 0, 0};
+        scene.add_luminaire(profile.get(), o + P3{0.1, 0.2, 3 - height / 2 - lower}, {0, 0, -1}, true);
+        const std::vector<P3> at = {o + P3{0.2, 0.1, 4.5}, o + P3{0.2, 0.1, 1.5}}, facing = {{0, 0, -1}, {0, 0, 1}};
+        const Sensor cells = scene.add_cells(at, facing, {{1, 0, 0}, {1, 0, 0}}, 2, 2);
+        return scene.render({.method = method, .iterations = 16, .light_paths = 1u << 13}).readings(cells);
+      };
+      for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_UPS}) {
+        const std::string what = std::to_string(height) + " m high, " + method_name(method);
+        const auto on = read(0, method), off = read(0.001, method);
+        EXPECT_EQ(on[0].illuminance_lx, 0) << what;
+        EXPECT_NEAR(on[1].illuminance_lx / off[1].illuminance_lx, 1, 0.01) << what;
+      }
+    }
+}
+
+// A luminous box of a mesh right under such a floor: the light of its top starts above it. Told, and not of one with
+// room.
+TEST(Taught, EmittersThatStartBehindWhatLiesOnThemAreTold) {
+  for (const double gap : {0.0, 1e-6, 0.005}) {
+    Scene scene;
+    scene.add(quad({-5, -5, 3}, {10, 0, 0}, {0, 10, 0}), matte(0.5));
+    scene.add(box({-0.3, -0.3, 2.9 - gap}, {0.3, 0.3, 3 - gap}), emitter(1000));
+    scene.add_meters({{0, 0, 1}}, {0, 0, 1});
+    EXPECT_EQ(scene_warnings(scene).find("should meet that starts behind it") != std::string::npos, gap < 0.001) << gap;
+  }
+}
+
+// 0.1 mm of glass 200 m from the middle of a scene; 6 mm are resolved there.
+TEST(Taught, GlassThinnerThanIsResolvedIsTold) {
+  for (const double thickness : {1e-4, 6e-3}) {
+    Scene scene;
+    scene.add(quad({-250, -250, 0}, {500, 0, 0}, {0, 500, 0}), matte(0.5));
+    scene.add(box({200, 0, 1}, {201, 1, 1 + thickness}), glass(1.5));
+    scene.add_point_light({200, 0, 3}, 100);
+    scene.add_meters({{200, 0, 0.5}}, {0, 0, 1});
+    EXPECT_EQ(scene_warnings(scene).find("thinner than single precision") != std::string::npos, thickness < 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace ups::test
