@@ -281,6 +281,23 @@ TEST(Bsdf, AnswersAlikeWhateverItWasAskedBefore) {
   }
 }
 
+// What casts caustics: sharp lobes that have most of the light; of glass of low index, what it lets through is bent by less
+// than its facets lean.
+TEST(Bsdf, CastersAreSharpAndHaveMostOfTheLight) {
+  const auto casts = [](MaterialModel model, float alpha, float metallic, float ior) {
+    Material m = make(model, std::sqrt(alpha), Rgb(0.9f), ior);
+    m.metallic = metallic;
+    return Bsdf(m, {0, 0}).is_caster();
+  };
+  EXPECT_TRUE(casts(MaterialModel::metal, 0.1f, 0, 1.5f));
+  EXPECT_FALSE(casts(MaterialModel::metal, 0.3f, 0, 1.5f));
+  for (const float metallic : {0.0f, 0.4f, 0.6f, 0.95f, 1.0f})
+    EXPECT_EQ(casts(MaterialModel::plastic, 0.01f, metallic, 1.5f), metallic > 0.5f) << metallic;
+  EXPECT_TRUE(casts(MaterialModel::glass, 0.1f, 0, 1.5f));
+  EXPECT_FALSE(casts(MaterialModel::glass, 0.25f, 0, 1.5f));
+  EXPECT_TRUE(casts(MaterialModel::glass, 0.25f, 0, 1.05f));
+}
+
 TEST(Bsdf, ReadsNoLobeWhereItChoosesNone) {
   int choosing = 0;
   for (const auto& [name, m] : all_cases()) {
