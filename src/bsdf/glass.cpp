@@ -12,7 +12,8 @@
 namespace ups::glass {
 
 // Refraction spreads an angle of alpha over about alpha (ior - 1); below min_alpha it cannot be told from a delta lobe.
-bool is_smooth(float alpha, float ior) { return alpha * std::min(1.0f, 2 * (ior - 1)) < min_alpha; }
+float apparent_alpha(float alpha, float ior) { return alpha * std::min(1.0f, 2 * (ior - 1)); }
+bool is_smooth(float alpha, float ior) { return apparent_alpha(alpha, ior) < min_alpha; }
 
 void prepare(BsdfParameters& p) {
   if (!(p.alpha > 0)) return;

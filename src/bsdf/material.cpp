@@ -21,9 +21,12 @@ bool is_interface_smooth(const Material& m, float alpha, float ior) {
   return m.model == MaterialModel::glass ? glass::is_smooth(alpha, ior) : alpha < min_alpha;
 }
 
-// What glass lets through is bent by less than the half vectors lean where its index is low.
 bool is_sharp(MaterialModel model, float alpha, float ior) {
-  return (model == MaterialModel::glass ? alpha * std::min(1.0f, 2 * (ior - 1)) : alpha) < default_glossy_alpha;
+  return (model == MaterialModel::glass ? glass::apparent_alpha(alpha, ior) : alpha) < default_glossy_alpha;
+}
+// An interface has most of the light; a plastic's, where it is metal for the most part.
+bool is_mostly_interface(MaterialModel model, float metallic) {
+  return is_interface_alone(model, metallic) || (model == MaterialModel::plastic && metallic >= 0.5f);
 }
 
 // With the denser side behind. As a function of its own inverse it brings a result back, too.
@@ -141,8 +144,7 @@ Rgb base_colour(const Material& m, const Vec2& uv) {
 
 bool Bsdf::is_caster() const {
   const MaterialModel model = p_.material->model;
-  const bool most = is_interface_alone(model, p_.metallic) || (model == MaterialModel::plastic && p_.metallic >= 0.5f);
-  return p_.alpha > 0 && most && is_sharp(model, p_.alpha, p_.ior);
+  return p_.alpha > 0 && is_mostly_interface(model, p_.metallic) && is_sharp(model, p_.alpha, p_.ior);
 }
 
 bool Bsdf::has_delta() const {
@@ -284,6 +286,7 @@ MaterialTraits traits_of(const Material& m) {
       t.coloured = glossy::has_complex_index(m) ? tinted(m.ior_rgb) || tinted(m.ior_k_rgb) : coloured;
       break;
   }
+  t.caster = t.delta || (t.glossy && is_mostly_interface(m.model, unit(m.metallic)));
   return t;
 }
 

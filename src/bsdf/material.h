@@ -142,7 +142,8 @@ struct MaterialTraits {
   bool delta;       // has a delta lobe
   bool continuous;  // has a continuous lobe
   bool transmits;
-  bool glossy;  // a continuous lobe with alpha < default_glossy_alpha
+  bool glossy;  // a continuous lobe with alpha < default_glossy_alpha, of glass as narrow as such
+  bool caster;  // a delta lobe, or Bsdf::is_caster
   bool coloured;
   bool interreflects;  // any reflectance or transmittance above 0
 };

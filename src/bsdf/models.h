@@ -38,6 +38,7 @@ Sampled sample(const BsdfParameters& p, const Vec3& wo, float u_lobe, const Vec2
 }  // namespace glossy
 
 namespace glass {  // solid dielectric; wo.z > 0 is on the thin side
+float apparent_alpha(float alpha, float ior);  // of what is let through
 bool is_smooth(float alpha, float ior);
 void prepare(BsdfParameters& p);
 Scattering evaluate(const BsdfParameters& p, const Vec3& wo, const Vec3& wi);

@@ -6,7 +6,7 @@
 namespace ups {
 
 // What all sources share that a walk cannot run into and that stand at a point. shift: from there to where rays start
-// and end, off a surface that the source lies on; what it lights is as of the point.
+// and end, off a surface that the source lies on; shadow rays bring what they would from the point itself.
 class PunctualEmitter : public Emitter {
  public:
   bool is_delta() const override { return true; }

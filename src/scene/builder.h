@@ -13,6 +13,7 @@
 #include "base/parallel.h"
 #include "emitter/area.h"
 #include "emitter/emitter.h"
+#include "emitter/profile.h"
 #include "emitter/rays.h"
 #include "scene/description.h"
 #include "scene/snapshot.h"
@@ -93,8 +94,8 @@ class Builder {
   void add_light(const std::string& name, const LightDescription& light, const SourceDescription& source);
   void add_luminaire(const std::string& name, const LuminaireDescription& luminaire, const SourceDescription& source);
   float opening_error(const Vec3& p, const Frame& frame, const photometry::Opening& opening) const;
-  Vec3 off_surfaces(const Vec3& p, const Frame& frame, const photometry::Opening& opening, float error,
-                    const Vec3& front) const;
+  Vec3 opening_place(const Vec3& p, const Frame& frame, const photometry::Opening& opening, float error,
+                     const ProfileOpeningEmitter& emitter) const;
   std::shared_ptr<const RaySet> rays_of(const LuminaireDescription& luminaire);
   void add_rays(const std::string& name, const LuminaireDescription& luminaire, const SourceDescription& source,
                 const Rgb& scale);

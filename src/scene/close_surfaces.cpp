@@ -11,18 +11,20 @@ namespace ups {
 
 namespace {
 
-constexpr uint32_t points = 64;  // of an instance
+constexpr uint32_t fewest = 8, usual = 64, most = 1u << 12, most_of_all = 1u << 17;  // points of an instance
 
-// The share of an instance's area where is_so(point), by points on its triangles.
+// The share of an instance's area where is_so(point), by points on its triangles, of which each has some.
 template <class IsSo>
-float share_of(const Snapshot& scene, uint32_t instance, const IsSo& is_so) {
+float share_of(const Snapshot& scene, uint32_t instance, size_t instances, const IsSo& is_so) {
   const Mesh& mesh = *scene.meshes[scene.instances[instance].mesh];
   const uint32_t triangles = mesh.triangle_count();
+  const uint32_t wanted = std::clamp(4 * triangles, usual, most),
+                 points = std::clamp(uint32_t(most_of_all / instances), fewest, wanted);
   double so = 0, all = 0;
   for (uint32_t i = 0; i < points && triangles > 0; ++i) {
     const auto u = philox({i, 6, instance, 0}, {0, 0});
     const float a = std::sqrt(to_unit_float(u[0])), b = to_unit_float(u[1]);
-    const auto triangle = uint32_t(uint64_t(i) * 0x9e3779b1u % triangles);
+    const auto triangle = uint32_t(uint64_t(i) * triangles / points);
     const auto corner = [&](size_t k) { return Vec3d(mesh.positions[mesh.indices[3 * size_t(triangle) + k]]); };
     const double area = length(cross(corner(1) - corner(0), corner(2) - corner(0)));
     all += area;
@@ -36,15 +38,16 @@ float passed(const Snapshot& scene, const SurfacePoint& s) { return 2 * s.error 
 
 }  // namespace
 
-std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadPool& pool) {
+std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadPool& pool, Monitor& monitor) {
   std::vector<PaneOnSurface> found;
   for (uint32_t i = 0; i < scene.instances.size(); ++i)
     if (scene.panes.is_pane(i)) found.push_back({i});
   std::vector<char> close(found.size());
   parallel_for(pool, found.size(), [&](size_t i) {
+    monitor.check();
     PaneOnSurface& pane = found[i];
     std::vector<Hit> hits;
-    pane.covered = share_of(scene, pane.instance, [&](const SurfacePoint& s) {
+    pane.covered = share_of(scene, pane.instance, found.size(), [&](const SurfacePoint& s) {
       const float length = passed(scene, s);
       hits.clear();
       scene.raytracer->intersect_all(s.p - s.ng * length, s.ng, 2 * length, hits);
@@ -73,7 +76,7 @@ std::vector<uint32_t> find_thin_glass(const Snapshot& scene, ThreadPool& pool) {
   std::vector<float> thin(glass.size());
   parallel_for(pool, glass.size(), [&](size_t i) {
     const bool inside_out = scene.media.is_inside_out(glass[i]);
-    thin[i] = share_of(scene, glass[i], [&](const SurfacePoint& s) {
+    thin[i] = share_of(scene, glass[i], glass.size(), [&](const SurfacePoint& s) {
       // From where a refracted ray starts back to the face that it came through; behind the glass it is the other one.
       const Vec3 outwards = inside_out ? -s.ng : s.ng;
       Hit hit;

@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/monitor.h"
 #include "base/parallel.h"
 #include "scene/snapshot.h"
 
 namespace ups {
 
-// The ray tracer must find all hits.
-std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadPool& pool);
+// The ray tracer must find all hits. By so many points that what is smaller than a tenth of a pane may be missed.
+std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadPool& pool, Monitor& monitor);
 
 // Solids of glass most of which is thinner than what a refracted ray starts off the surface: it would start behind them.
 std::vector<uint32_t> find_thin_glass(const Snapshot& scene, ThreadPool& pool);

@@ -93,7 +93,7 @@ SceneEffects Analysis::find() const {
   if (!passes.empty()) add(UPS_EFFECT_TRANSMISSION, "transmission: " + passes + " lets light through");
   if (!caster.empty() && scene_.emitters.size() > 0 && (!receiver.empty() || !scene_.meter_sets.empty()))
     add(UPS_EFFECT_CAUSTICS, "caustics: " + caster + " can focus light on " + (receiver.empty() ? "meters" : receiver));
-  if (!glossy.empty()) add(UPS_EFFECT_GLOSSY, "glossy: " + glossy + " has a narrow lobe (GGX alpha below 0.2)");
+  if (!glossy.empty()) add(UPS_EFFECT_GLOSSY, "glossy: " + glossy + " has a narrow lobe (as of a GGX alpha below 0.2)");
   if (!reflects.empty())
     add(UPS_EFFECT_INTERREFLECTION, "interreflection: " + reflects + " passes light on to other surfaces");
   if (!coloured.empty())
@@ -106,6 +106,7 @@ SceneEffects Analysis::find() const {
   out.path_tracing_complete =
       (delta.empty() || !has_delta_emitter() || scene_.flat_mirrors.complete) && !out.ray_emitters;
   out.sharp_caster = !caster.empty();
+  out.casts = !materials(&MaterialTraits::caster).empty();
   out.images_suffice = glossy.empty() && scene_.flat_mirrors.complete && scene_.flat_mirrors.of_all;
   out.transmits_solid = !materials([&](size_t i) { return scene_.materials[i].model == MaterialModel::glass; }).empty();
   out.coloured = (out.effects & UPS_EFFECT_COLOUR) != 0;

@@ -124,15 +124,19 @@ class Sides {
 
 }  // namespace
 
+bool shines_behind(const Snapshot& scene, const Emitter& emitter, const Vec3& p, const Vec3& n, float lift) {
+  return Sides(scene, emitter, p, n, lift).is_behind();
+}
+
+float room_for(const Snapshot& scene, const Vec3& p, const Vec3& u, float least, float lift) {
+  Hit hit;
+  const bool met = scene.raytracer->intersect(p + u * least, u, 2 * lift - least, hit);
+  return met ? std::max(least, 0.5f * (least + hit.t)) : lift;
+}
+
 SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& emitter) {
   const float reach = 0x1p-17f * scene.radius, own = free_error(p);
   const float least_lift = least_source_lift(scene);
-  // Something else may be there within that: half of the way to it.
-  const auto room = [&](const Vec3& plane, const Vec3& u, float least, float lift) {
-    Hit hit;
-    const bool met = scene.raytracer->intersect(plane + u * least, u, 2 * lift - least, hit);
-    return met ? std::max(least, 0.5f * (least + hit.t)) : lift;
-  };
   SourcePlace out{p, 0};
   constexpr int lines = 6, passes = 2;  // a plane is crossed by one axis at least; what is met first may hide another
   for (int k = 0; k < lines * passes && reach > 0; ++k) {
@@ -154,7 +158,7 @@ SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& em
       if (!lets_light_by(scene, s)) out.into_surface = std::max(out.into_surface, float(sides.share(!behind)));
     }
     const Vec3 away = behind ? -s.ng : s.ng;
-    out.p = plane + away * room(plane, away, 2 * rounding, lift);
+    out.p = plane + away * room_for(scene, plane, away, 2 * rounding, lift);
   }
   return out;
 }
@@ -180,7 +184,7 @@ bool lies_in_another(const Snapshot& scene, const Emitter& emitter, uint32_t ins
 }
 
 uint32_t starts_beyond(const Snapshot& scene, const Emitter& emitter, uint32_t instance) {
-  constexpr uint32_t count = 64;
+  constexpr uint32_t count = 32;
   std::map<uint32_t, uint32_t> beyond;
   for (uint32_t i = 0; i < count; ++i) {
     const auto u = philox({i, 7, 0, 0}, {0, 0});

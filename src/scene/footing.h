@@ -26,6 +26,10 @@ struct SourcePlace {
 // At least, off a surface: shadow rays end this much before it at most, see segment_free (transport/encounter.h).
 float least_source_lift(const Snapshot& scene);
 SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& emitter);  // an emitter at p
+// Does the light of an emitter on a plane through p, with normal n, belong to the plane's other side? By that rule.
+bool shines_behind(const Snapshot& scene, const Emitter& emitter, const Vec3& p, const Vec3& n, float lift);
+// From p towards u, beyond `least`: a way of `lift`, or half of that to what is met before twice as much.
+float room_for(const Snapshot& scene, const Vec3& p, const Vec3& u, float least, float lift);
 
 // Does the surface of an instance that emits lie in the plane of another's? Which of the two a ray meets is a matter of
 // rounding.

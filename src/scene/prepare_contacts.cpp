@@ -22,7 +22,7 @@ Box traced_box(const Mesh& mesh, const Box& of_vertices) {
 
 double Builder::rounding_of_places() const { return 4 * 0x1p-24 * out_->extent; }
 
-// No less than what an opening's error has beyond its own rounding where it lies on a surface, see probe.h.
+// No less than what an opening's error has beyond its own rounding where it lies on a surface, see footing.h.
 double Builder::contact_error() const { return 3 * 0x1p-20 * double(out_->radius); }
 double Builder::contact_reach() const { return 16 * contact_error() + 2 * rounding_of_places(); }
 

@@ -31,10 +31,11 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
                half_b = meter.frame.t * (disc ? set.disc_radius : 0.5f * set.cell_height);
     meter.error = set.is_cell() ? error_at(*out_, meter.p, meter.frame.n, half_a, half_b)
                                 : error_at(*out_, meter.p, meter.frame.n);
-    if (in.kind == UPS_METER_PLANAR) return;
-    meter.moved = 2 * meter.error;  // it sees both sides from there
-    meter.p = meter.p + meter.frame.n * meter.moved;
-    meter.error = 0;
+    if (in.kind != UPS_METER_PLANAR) {
+      meter.p = meter.p + meter.frame.n * (2 * meter.error);  // it sees both sides from there
+      meter.error = 0;
+    }
+    meter.moved = length(meter.p - to_scene((*in.positions)[i]));
   });
   if (in.kind == UPS_METER_VECTOR) {
     const std::vector<Meter> points = set.meters;

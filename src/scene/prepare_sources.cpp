@@ -238,7 +238,7 @@ EmitterProbe Builder::probe_of(const SourceDescription& source, const std::funct
 // Of a source without extent at p.
 EmitterProbe Builder::place_probe(const SourceDescription& source, const Vec3& p, const PlacedEmitter& make_at) {
   const EmitterProbe probe = probe_of(source, [&] {
-    const SourcePlace found = ups::off_surfaces(*out_, p, *make_at(Vec3(), Rgb(1)));
+    const SourcePlace found = off_surfaces(*out_, p, *make_at(Vec3(), Rgb(1)));
     EmitterProbe out;
     out.place = found.p, out.into_surface = found.into_surface;
     return out;
@@ -335,7 +335,7 @@ void Builder::add_luminaire(const std::string& name, const LuminaireDescription&
   const EmitterProbe probe = probe_of(source, [&] {
     EmitterProbe found;
     found.error = opening_error(p, frame, opening);
-    found.place = off_surfaces(p, frame, opening, found.error, make_at(p, Rgb(1), found.error)->normal());
+    found.place = opening_place(p, frame, opening, found.error, *make_at(p, Rgb(1), found.error));
     return found;
   });
   const float error = probe.error;
@@ -360,22 +360,26 @@ Vec3 Builder::place_of(const LuminaireDescription& luminaire) {
 }
 
 // An opening of which a face lies on an opaque surface, as under a ceiling, is moved off it by more than its rays start
-// off its faces, 8 errors along their own line at most (emission_origin), and than shadow rays are shortened: else what it
-// sends there would start behind it.
-Vec3 Builder::off_surfaces(const Vec3& p, const Frame& frame, const photometry::Opening& opening, float error,
-                           const Vec3& front) const {
+// off its faces (of a body 8 errors along their own line at most, emission_origin) and than shadow rays are shortened:
+// else what it sends there would start behind it. A body whose light belongs there stays: it starts beyond.
+Vec3 Builder::opening_place(const Vec3& p, const Frame& frame, const photometry::Opening& opening, float error,
+                            const ProfileOpeningEmitter& emitter) const {
   const Vec3 axes[3] = {frame.s, frame.t, frame.n};
-  const bool flat = !(opening.size_m[0] > 0 && opening.size_m[1] > 0 && opening.size_m[2] > 0);
-  const float lift = std::max(12 * error, least_source_lift(*out_));
+  const bool flat = emitter.is_flat();
+  const float lift = std::max((flat ? 4 : 12) * error, least_source_lift(*out_));
   Vec3 moved = p;
   for (int k = 0; k < 3; ++k) {
     if (flat && opening.size_m[k] > 0) continue;
-    const Vec3 half = axes[k] * (0.5f * opening.size_m[k]), a = axes[(k + 1) % 3] * (0.5f * opening.size_m[(k + 1) % 3]),
-               b = axes[(k + 2) % 3] * (0.5f * opening.size_m[(k + 2) % 3]);
-    const bool above = lies_on_opaque(*out_, p + half, axes[k], a, b),
-               below = lies_on_opaque(*out_, p - half, -axes[k], a, b);
-    if (flat && (above || below)) moved = moved + front * lift;
-    if (!flat && above != below) moved = moved + axes[k] * (above ? -lift : lift);
+    const auto half = [&](int axis) { return axes[axis % 3] * (0.5f * opening.size_m[axis % 3]); };
+    const auto lies = [&](float side) {
+      return lies_on_opaque(*out_, p + half(k) * side, axes[k] * side, half(k + 1), half(k + 2));
+    };
+    const bool above = lies(1), below = lies(-1);
+    if (flat ? !(above || below) : above == below) continue;
+    const Vec3 away = flat ? emitter.normal() : above ? -axes[k] : axes[k], to_face = flat ? Vec3() : half(k);
+    const Vec3 face = above ? p + to_face : p - to_face, opposite = above ? p - to_face : p + to_face;
+    if (flat || !shines_behind(*out_, emitter, face, away, 2 * error))
+      moved = moved + away * room_for(*out_, opposite, away, 2 * error, lift);
   }
   return moved;
 }

@@ -239,7 +239,11 @@ void Builder::find_panes_and_what_they_lie_on() {
     return;
   }
   out_->panes = find_panes(*out_, out_->instances);
-  out_->panes.on_surfaces = find_panes_on_surfaces(*out_, threads_);
+  out_->panes.on_surfaces = find_panes_on_surfaces(*out_, threads_, monitor_);
+  for (const PaneOnSurface& pane : out_->panes.on_surfaces) {
+    out_->panes.on_surface.resize(out_->instances.size());
+    out_->panes.on_surface[pane.instance] = true;
+  }
   if (!same_places_ || out_->panes == earlier_->panes) return;
   same_places_ = same_emitters_ = false;
   for (EmitterProbe& probe : out_->emitter_probes) probe = {};

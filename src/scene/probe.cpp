@@ -24,7 +24,8 @@ std::vector<uint32_t> some_emitters(const EmitterSet& emitters, size_t most) {
   const double strong = lamps_lm(emitters) / double(most);
   std::vector<uint32_t> out;
   for (size_t i = 0; i < emitters.size(); ++i)
-    if (i % stride == 0 || emitters[i].flux_lm() > strong) out.push_back(uint32_t(i));
+    if (i % stride == 0 || (!emitters[i].is_directional() && emitters[i].flux_lm() > strong))
+      out.push_back(uint32_t(i));
   return out;
 }
 

@@ -34,7 +34,8 @@ struct SceneEffects {
   bool path_tracing_complete = true;
   bool ray_emitters = false;  // some light comes from the rays of a file: light paths alone carry it
   float concentration = 1;    // of first light on small patches, see scene/probe.h
-  bool sharp_caster = false;  // some material has a delta lobe or a continuous lobe with alpha < 0.2
+  bool sharp_caster = false;  // some material has a delta lobe or a narrow one (MaterialTraits::glossy)
+  bool casts = false;         // and that has most of its light (MaterialTraits::caster)
   bool images_suffice = false;  // those are flat mirrors, which reflect nobody's light in turn, and show all emitters
   bool transmits_solid = false;
   bool coloured = false;
@@ -103,7 +104,7 @@ struct Snapshot {
   std::vector<uint32_t> instance_ids;           // by the same index
 
   std::map<std::pair<ups_source_kind, uint32_t>, Contact> contacts;  // emitters near glass, by their sources
-  bool finds_all = false;                       // the ray tracer, for their sake and that of blended surfaces
+  bool finds_all = false;                       // the ray tracer, for their sake, that of blended surfaces and panes
 
   EmitterSet emitters;
   std::vector<std::string> emitter_names;       // "luminaire 3", "instance 7": by their numbers

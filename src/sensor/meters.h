@@ -14,7 +14,7 @@ struct Meter {
   Frame frame;  // n: the normal; s, t: a rectangle's sides
   // Of p; a planar meter that lies on a surface stands on the side of its normal. Others are there already: 0.
   float error = 0;
-  float moved = 0;  // what others are there off where they were put
+  float moved = 0;  // how far it is from where it was put
 };
 
 // A part of a meter that measures on a surface.

@@ -21,7 +21,8 @@ std::vector<uint32_t> casters_of(const Snapshot& scene) {
   std::vector<uint32_t> out;
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MaterialTraits t = traits_of(scene.materials[scene.instances[i].material]);
-    if ((t.delta || t.glossy || is_shining_pane(scene, i)) && scene.meshes[scene.instances[i].mesh]->triangle_count() > 0) out.push_back(i);
+    const bool casts = t.delta || t.glossy || is_shining_pane(scene, i);
+    if (casts && scene.meshes[scene.instances[i].mesh]->triangle_count() > 0) out.push_back(i);
   }
   return out;
 }

@@ -186,7 +186,8 @@ struct Ray {
     const float lift = 2 * s.error + 4 * 0x1p-24f * (max_abs(o) + distance), cosine = std::abs(dot(d, s.ng));
     const float beyond = distance + lift / std::max(cosine, 0.05f);
     if (beneath_met < beneath_count) return;  // what is left lies before where the ray goes on
-    if (!scene.panes.blended.empty() || !scene.panes.on_surfaces.empty()) find_beneath(s, distance, 2 * distance - beyond, beyond);
+    if (!scene.panes.blended.empty() || scene.panes.is_on_surface(s.instance))
+      find_beneath(s, distance, 2 * distance - beyond, beyond);
     last = distance;
     instance = s.instance;
     reach = 2 * lift / std::max(cosine, 1e-3f);

@@ -142,7 +142,8 @@ class Chooser {
       // Caustics meet a cell, where nothing is merged, by landing: a point's light by way of mirrors by that alone, a
       // small lamp's or a polished metal's but for rare eye paths.
       needs_landings_[units_.of_set(s)] =
-          scene.meter_sets[s].is_cell() && (plan.seeks_caustics || !scene.effects.path_tracing_complete);
+          scene.meter_sets[s].is_cell() &&
+          ((plan.seeks_caustics && scene.effects.casts) || !scene.effects.path_tracing_complete);
     }
     for (size_t c = 0; c < scene.cameras.size(); ++c) leave_out_noiseless(units_.begin(c), units_.end(c));
     leave_out_noiseless(units_.begin(scene.cameras.size()), units_.count);

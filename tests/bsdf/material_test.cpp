@@ -142,7 +142,9 @@ TEST(Material, FlagsAgreeWithTraits) {
     EXPECT_EQ(bsdf.has_delta(), t.delta) << c.name;
     EXPECT_EQ(bsdf.has_continuous(), t.continuous) << c.name;
     EXPECT_EQ(bsdf.transmits(), t.transmits) << c.name;
-    EXPECT_EQ(bsdf.min_alpha_continuous() > 0 && bsdf.min_alpha_continuous() < 0.2f, t.glossy) << c.name;
+    const bool low = c.material.model == MaterialModel::glass && c.material.ior < 1.2f;  // bends light by little
+    EXPECT_EQ(bsdf.min_alpha_continuous() > 0 && (low || bsdf.min_alpha_continuous() < 0.2f), t.glossy) << c.name;
+    EXPECT_EQ(bsdf.has_delta() || bsdf.is_caster(), t.caster) << c.name;
     EXPECT_TRUE(t.interreflects) << c.name;
   }
   EXPECT_FALSE(traits_of(make(MaterialModel::matte, 0, Rgb(0.0f))).interreflects);

@@ -226,7 +226,7 @@ class LocalQuantities {
     const Vec3 to_emitter = x.local(-direction_[i - 1]), to_sensor = x.local(direction_[i]);
     path_.delta[i] = x.delta;
     path_.merges[i] = x.bsdf->has_continuous() || !x.bsdf->has_delta();
-    path_.caster[i] = x.delta || x.bsdf->is_glossy(0.2f);
+    path_.caster[i] = x.delta || x.bsdf->is_caster();
     if (x.delta) {
       path_.pdf_to_sensor[i] = delta_probability(x, to_emitter, to_sensor);
       path_.pdf_to_emitter[i] = delta_probability(x, to_sensor, to_emitter);

@@ -27,8 +27,11 @@ TEST(Taught, PanesOnWallsLetNothingThrough) {
     const Sensor meters = scene.add_meters(points, {0, 0, 1});
     const std::string what = std::to_string(far_off) + " m off, gap " + std::to_string(1e6 * gap) + " um";
     EXPECT_NE(scene_warnings(scene).find("cut an opening there"), std::string::npos) << what;
+    const Sensor before = scene.add_meters({o + P3{0, 0, 1}}, {0, 0, 1});
+    const Result lit = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1});
+    EXPECT_GT(lit.readings(before)[0].direct_lx, 100) << what;
     for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_PPM, UPS_METHOD_LIGHT_TRACING})
-      for (const ups_meter_reading& r : scene.render({.method = method, .iterations = 16}).readings(meters))
+      for (const ups_meter_reading& r : scene.render({.method = method, .iterations = 4}).readings(meters))
         EXPECT_EQ(r.illuminance_lx, 0) << what << ", " << method_name(method);
   };
   for (const double far_off : {0.0, 80.0})
@@ -61,6 +64,23 @@ TEST(Taught, OpeningsUnderAFloorLightNothingAbove) {
         EXPECT_NEAR(on[1].illuminance_lx / off[1].illuminance_lx, 1, 0.01) << what;
       }
     }
+}
+
+// A luminous box recessed in the ceiling of a single sheet, its lower face in the ceiling's plane: its light belongs to
+// the room, and is as from a millimetre lower.
+TEST(Taught, OpeningsRecessedInACeilingLightTheRoom) {
+  const std::string ies = ies_text([](double, double gamma) { return gamma < pi_d / 2 ? 700 * std::cos(gamma) : 0; },
+                                   {0}, steps(1, 180), ies_number(0.6) + " " + ies_number(0.6) + " " + ies_number(0.1));
+  const auto read = [&](double lower, ups_method method) {
+    Scene scene;
+    const Profile profile = parse(scene.context(), ies);
+    scene.add(quad({-5, -5, 3}, {10, 0, 0}, {0, 10, 0}), matte(0));
+    scene.add_luminaire(profile.get(), {0.1, 0.2, 3.05 - lower}, {0, 0, -1}, true);
+    const Sensor cell = scene.add_cells({{0.2, 0.1, 1}}, {{0, 0, 1}}, {{1, 0, 0}}, 2, 2);
+    return scene.render({.method = method, .iterations = 16, .light_paths = 1u << 13}).statistics(cell).mean_lx;
+  };
+  for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_UPS})
+    EXPECT_NEAR(read(0, method) / read(0.001, method), 1, 0.01) << method_name(method);
 }
 
 // A luminous box of a mesh right under such a floor: the light of its top starts above it. Told, and not of one with
