@@ -184,7 +184,7 @@ bool lies_in_another(const Snapshot& scene, const Emitter& emitter, uint32_t ins
 }
 
 uint32_t starts_beyond(const Snapshot& scene, const Emitter& emitter, uint32_t instance) {
-  constexpr uint32_t count = 32;
+  constexpr uint32_t count = 64;
   std::map<uint32_t, uint32_t> beyond;
   for (uint32_t i = 0; i < count; ++i) {
     const auto u = philox({i, 7, 0, 0}, {0, 0});
@@ -199,7 +199,10 @@ uint32_t starts_beyond(const Snapshot& scene, const Emitter& emitter, uint32_t i
         hit.instance == instance)
       continue;
     const SurfacePoint other = scene.raytracer->surface_at(hit);
-    if (std::abs(dot(other.ng, s.n)) > 0.999f && !lets_light_by(scene, other)) ++beyond[hit.instance];
+    if (!(std::abs(dot(other.ng, s.n)) > 0.999f) || lets_light_by(scene, other)) continue;
+    // What leaves the scene, as from under a box on the floor, lights nothing that it should not.
+    Hit lit;
+    if (intersect_beyond_panes(scene, s.p + s.direction * away, s.direction, lit)) ++beyond[hit.instance];
   }
   for (const auto& [other, samples] : beyond)
     if (10 * samples >= count) return other;

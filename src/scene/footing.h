@@ -35,8 +35,8 @@ float room_for(const Snapshot& scene, const Vec3& p, const Vec3& u, float least,
 // rounding.
 bool lies_in_another(const Snapshot& scene, const Emitter& emitter, uint32_t instance);
 
-// Another surface that so much of an instance's light starts behind that it is worth telling, as it lies closer to the
-// instance than rays start off that; none: there is no such.
+// Another surface that so much of an instance's light starts behind, and lights something there, that it is worth
+// telling, as it lies closer to the instance than rays start off that; none: there is no such.
 uint32_t starts_beyond(const Snapshot& scene, const Emitter& emitter, uint32_t instance);
 
 }  // namespace ups

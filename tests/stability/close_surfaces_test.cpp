@@ -84,15 +84,18 @@ TEST(Taught, OpeningsRecessedInACeilingLightTheRoom) {
 }
 
 // A luminous box of a mesh right under such a floor: the light of its top starts above it. Told, and not of one with
-// room.
+// room, nor where nothing is above.
 TEST(Taught, EmittersThatStartBehindWhatLiesOnThemAreTold) {
-  for (const double gap : {0.0, 1e-6, 0.005}) {
-    Scene scene;
-    scene.add(quad({-5, -5, 3}, {10, 0, 0}, {0, 10, 0}), matte(0.5));
-    scene.add(box({-0.3, -0.3, 2.9 - gap}, {0.3, 0.3, 3 - gap}), emitter(1000));
-    scene.add_meters({{0, 0, 1}}, {0, 0, 1});
-    EXPECT_EQ(scene_warnings(scene).find("should meet that starts behind it") != std::string::npos, gap < 0.001) << gap;
-  }
+  for (const double gap : {0.0, 1e-6, 0.005})
+    for (const bool storey_above : {true, false}) {
+      Scene scene;
+      scene.add(quad({-5, -5, 3}, {10, 0, 0}, {0, 10, 0}), matte(0.5));
+      if (storey_above) scene.add(quad({-50, -50, 6}, {100, 0, 0}, {0, 100, 0}), matte(0.5));
+      scene.add(box({-0.3, -0.3, 2.9 - gap}, {0.3, 0.3, 3 - gap}), emitter(1000));
+      scene.add_meters({{0, 0, 1}}, {0, 0, 1});
+      const bool told = scene_warnings(scene).find("should meet that starts behind it") != std::string::npos;
+      EXPECT_EQ(told, gap < 0.001 && storey_above) << gap;
+    }
 }
 
 // 0.1 mm of glass 200 m from the middle of a scene; 6 mm are resolved there.
