@@ -81,6 +81,7 @@ class Builder {
   Box emission_box(const LuminaireDescription& luminaire) const;
   std::vector<EmittingPoint> points_of(const Contact& contact) const;
   TouchableParts find_contacts();
+  void search_contacts(TouchableParts& touchable);
   void set_back_emitters();
   void trace_surfaces(const TouchableParts& touchable);
   const Contact* contact_of_source();
@@ -142,7 +143,7 @@ class Builder {
   // As in the earlier build: the ray tracer; that, and how surfaces scatter; that, and where errors end.
   bool same_geometry_ = false, same_surfaces_ = false, same_places_ = false;
   bool same_emitters_ = false;  // they stand where they stood
-  bool new_contacts_ = false;   // emitters that want to be set back, as the earlier build did not know
+  bool contacts_differ_ = false;  // from the earlier build's: emitters want to be set back, or no longer
   std::map<std::pair<ups_source_kind, uint32_t>, size_t> earlier_emitter_;  // index, by source
   std::vector<std::shared_ptr<const Emitter>> emitters_;
   std::vector<UnitEmitter> unit_emitters_;

@@ -2,7 +2,6 @@
 #include "scene/contact.h"
 
 #include <algorithm>
-#include <set>
 
 #include "base/rng.h"
 
@@ -45,15 +44,20 @@ void TouchableParts::near(Box box, std::vector<ContactPart>& out) const {
   }
 }
 
-void TouchableParts::trace(const std::vector<const Contact*>& contacts,
-                           const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                           const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, Monitor& monitor) {
-  std::set<std::shared_ptr<const void>> wanted;
-  for (const Contact* c : contacts)
-    for (size_t i = 1; i < c->between.size(); ++i) wanted.insert(c->between[i].shape);
+std::vector<SearchedSurface> TouchableParts::choose_of(const std::set<std::shared_ptr<const void>>& meshes,
+                                                       const std::vector<SurfaceTexturing>& texturing) {
+  std::vector<SearchedSurface> out;
   traced_.clear();
-  for (const Part& part : parts_)
-    if (wanted.count(part.what.shape) > 0) traced_.push_back(part.instance);
+  for (const Part& part : parts_) {
+    if (meshes.count(part.what.shape) == 0) continue;
+    traced_.push_back(part.instance);
+    out.push_back({part.what, texturing[part.instance.material]});
+  }
+  return out;
+}
+
+void TouchableParts::trace(const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                           const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, Monitor& monitor) {
   raytracer_ = std::make_unique<const Raytracer>(meshes, traced_, texturing, pool, true, nullptr, &monitor);
 }
 

@@ -3,6 +3,8 @@
 // with light held back by total reflection that gets out in fact. Found at commit; such an emitter is set back until
 // rays have the room that they need, some micrometres in a room (scene/prepare_contacts.cpp).
 #pragma once
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "base/monitor.h"
@@ -20,6 +22,14 @@ struct ContactPart {
   Affine to_scene;
   std::shared_ptr<const void> shape;  // mesh or profile
   bool operator==(const ContactPart&) const = default;
+};
+
+// A surface that is searched: what its rays find depends on where it has holes, too, and, by whether a mesh is there once
+// or several times, on all that are searched with it.
+struct SearchedSurface {
+  ContactPart what;
+  SurfaceTexturing texturing;
+  bool operator==(const SearchedSurface&) const = default;
 };
 
 struct Contact {
@@ -60,10 +70,18 @@ class TouchableParts {
   bool empty() const { return parts_.empty(); }
   // Appends those whose boxes an emitter's comes near.
   void near(Box box, std::vector<ContactPart>& out) const;
-  // For rays against those that one of `contacts` may touch, and against all others of the same meshes, so that rounding
-  // is as it will be in the scene. The lists are those of the scene.
-  void trace(const std::vector<const Contact*>& contacts, const std::vector<std::shared_ptr<const Mesh>>& meshes,
-             const std::vector<SurfaceTexturing>& texturing, ThreadPool& pool, Monitor& monitor);
+  // Those that one of `contacts` may touch, and all others of the same meshes, so that rounding is as it will be in the
+  // scene. The lists are those of the scene.
+  template <class Contacts>
+  std::vector<SearchedSurface> choose(const Contacts& contacts, const std::vector<SurfaceTexturing>& texturing) {
+    std::set<std::shared_ptr<const void>> wanted;
+    for (const auto& [key, c] : contacts)
+      for (size_t i = 1; i < c.between.size(); ++i) wanted.insert(c.between[i].shape);
+    return choose_of(wanted, texturing);
+  }
+  // For rays against those that were chosen.
+  void trace(const std::vector<std::shared_ptr<const Mesh>>& meshes, const std::vector<SurfaceTexturing>& texturing,
+             ThreadPool& pool, Monitor& monitor);
   void forget_trace() { raytracer_.reset(), traced_.clear(); }
   void search(const std::vector<EmittingPoint>& points, Contact& out) const;
   // Is something else between an emitter that is set back and where it was?
@@ -71,6 +89,8 @@ class TouchableParts {
                   const std::vector<Raytracer::Instance>& instances) const;
 
  private:
+  std::vector<SearchedSurface> choose_of(const std::set<std::shared_ptr<const void>>& meshes,
+                                         const std::vector<SurfaceTexturing>& texturing);
   const Part* part_of(uint32_t number) const;
   bool faces(const Part& part, const EmittingPoint& from, const SurfacePoint& surface, double gap) const;
 

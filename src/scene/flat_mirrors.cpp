@@ -313,7 +313,8 @@ class Search {
       for (Vec3& area : o.areas) area = plane.mirrored_direction(area);
       // Where they are weighed each has its own.
       const float reflectance =
-          out_.of_extended ? 1 : luminance(mirror_lobe(scene_.materials[plane.material], 0.7f).reflectance);
+          out_.of_extended ? 1
+                           : std::max(0.01f, luminance(mirror_lobe(scene_.materials[plane.material], 0.7f).reflectance));
       entries.push_back({o, emitter.flux_lm() * double(reflectance), reflectance, uint32_t(entries.size())});
     }
     return LightTree(entries, entries.size());

@@ -100,44 +100,6 @@ void Builder::add_meter_set(uint32_t id, const std::function<MeterSet()>& make) 
     for (const std::string& text : warned->second) warn(text);
 }
 
-// ---- media ----
-
-// Where there is glass that attenuates, or bends light by what lies around it.
-void Builder::find_media() {
-  bool wanted = out_->media.nest;
-  for (const Medium& m : out_->media.by_rank) wanted |= !is_black(out_->materials[m.material].absorption_per_m);
-  std::vector<MediaStack>& stacks = out_->media_stacks;
-  stacks.assign(1, MediaStack());
-  const auto number = [&](const MediaStack& stack) {
-    const auto at = std::find(stacks.begin(), stacks.end(), stack);
-    if (at != stacks.end()) return uint32_t(at - stacks.begin());
-    stacks.push_back(stack);
-    return uint32_t(stacks.size() - 1);
-  };
-  const auto find = [&](const Vec3& p) { return wanted ? number(media_at(*out_, p)) : 0; };
-  const bool is_same = same_places_ && sensors_are_same();
-  if (wanted && is_same) {  // the emitters' own follow those of sensors
-    stacks.assign(earlier_->media_stacks.begin(), earlier_->media_stacks.begin() + earlier_->sensor_media_count);
-    out_->media_of_camera = earlier_->media_of_camera;
-    out_->media_of_meter = earlier_->media_of_meter;
-  }
-  for (size_t c = out_->media_of_camera.size(); c < out_->cameras.size(); ++c)
-    out_->media_of_camera.push_back(find(out_->cameras[c].position()));
-  for (size_t s = out_->media_of_meter.size(); s < out_->meter_sets.size(); ++s) {
-    const MeterSet& set = out_->meter_sets[s];
-    std::vector<uint32_t>& media = out_->media_of_meter.emplace_back(set.meters.size(), 0);
-    if (!wanted) continue;
-    std::vector<MediaStack> found(set.meters.size());
-    parallel_for(threads_, set.meters.size(), [&](size_t i) {
-      const Meter meter = set.is_cell() ? set.sample(i, {0.5f, 0.5f}) : set.meters[i];
-      found[i] = media_at(*out_, meter.p + meter.frame.n * (2 * meter.error));
-    });
-    for (size_t i = 0; i < found.size(); ++i) media[i] = number(found[i]);
-  }
-  out_->sensor_media_count = stacks.size();
-  for (const Vec3& p : emitter_fronts_) out_->media_of_emitter.push_back(find(p));
-}
-
 // What nothing has changed for is not searched again.
 void Builder::share_searches() {
   out_->surface_search = same_surfaces_ ? earlier_->surface_search : std::make_shared<SearchedWarnings>();

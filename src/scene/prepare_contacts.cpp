@@ -106,9 +106,20 @@ std::vector<EmittingPoint> Builder::points_of(const Contact& contact) const {
 
 TouchableParts Builder::find_contacts() {
   TouchableParts touchable = touchable_parts();
-  if (touchable.empty()) return touchable;
+  if (!touchable.empty()) search_contacts(touchable);
+  // One that is gone has left its emitter where that was set back to.
+  for (const auto& [key, before] : earlier_ ? earlier_->contacts : std::map<SourceKey, Contact>()) {
+    const auto now = out_->contacts.find(key);
+    contacts_differ_ |= before.is_to_move() && (now == out_->contacts.end() || !now->second.is_to_move());
+  }
+  return touchable;
+}
+
+void Builder::search_contacts(TouchableParts& touchable) {
   out_->contacts = possible_contacts(touchable);
-  const bool may_share = earlier_ && earlier_->extent == out_->extent && earlier_->radius == out_->radius;
+  out_->searched_surfaces = touchable.choose(out_->contacts, out_->texturing);
+  const bool may_share = earlier_ && earlier_->extent == out_->extent && earlier_->radius == out_->radius &&
+                         earlier_->searched_surfaces == out_->searched_surfaces;
   std::vector<Contact*> unknown;
   for (auto& [key, contact] : out_->contacts) {
     const auto known = may_share ? earlier_->contacts.find(key) : out_->contacts.end();
@@ -117,16 +128,15 @@ TouchableParts Builder::find_contacts() {
     else
       unknown.push_back(&contact);
   }
-  if (unknown.empty()) return touchable;
+  if (unknown.empty()) return;
   monitor_.begin_part(0.2f);
-  touchable.trace({unknown.begin(), unknown.end()}, out_->meshes, out_->texturing, threads_, monitor_);
+  touchable.trace(out_->meshes, out_->texturing, threads_, monitor_);
   parallel_for(threads_, unknown.size(), [&](size_t i) {
     monitor_.check();
     touchable.search(points_of(*unknown[i]), *unknown[i]);
   });
   touchable.forget_trace();  // what is built next has the whole of the memory's limit, too
-  new_contacts_ = std::any_of(unknown.begin(), unknown.end(), [](const Contact* c) { return c->is_to_move(); });
-  return touchable;
+  contacts_differ_ = std::any_of(unknown.begin(), unknown.end(), [](const Contact* c) { return c->is_to_move(); });
 }
 
 // Where they are without contact, or where that has set them back to.

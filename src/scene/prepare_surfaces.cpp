@@ -189,7 +189,7 @@ void Builder::add_geometry() {
   out_->finds_all = std::any_of(out_->contacts.begin(), out_->contacts.end(), to_move) ||
                     std::any_of(out_->texturing.begin(), out_->texturing.end(), blends) ||
                     std::any_of(instances.begin(), instances.end(), is_glazing);
-  same_geometry_ = earlier_ && !new_contacts_ && has_same_origin() && earlier_->instances.size() == instances.size() &&
+  same_geometry_ = earlier_ && !contacts_differ_ && has_same_origin() && earlier_->instances.size() == instances.size() &&
                    earlier_->texturing == out_->texturing && earlier_->finds_all == out_->finds_all;
   for (size_t i = 0; same_geometry_ && i < instances.size(); ++i) same_geometry_ = is_same_instance(i);
   same_surfaces_ = same_surfaces_ && same_geometry_;

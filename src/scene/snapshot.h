@@ -104,6 +104,7 @@ struct Snapshot {
   std::vector<uint32_t> instance_ids;           // by the same index
 
   std::map<std::pair<ups_source_kind, uint32_t>, Contact> contacts;  // emitters near glass, by their sources
+  std::vector<SearchedSurface> searched_surfaces;  // for them
   bool finds_all = false;                       // the ray tracer, for their sake, that of blended surfaces and panes
 
   EmitterSet emitters;
@@ -132,7 +133,7 @@ struct Snapshot {
   size_t sensor_media_count = 0;  // of them, those before what emitters alone lie in
   std::vector<uint32_t> media_of_camera;
   std::vector<std::vector<uint32_t>> media_of_meter;
-  std::vector<uint32_t> media_of_emitter;
+  std::vector<uint32_t> media_of_emitter;  // as of meters, none: they differ from place to place
 
   SceneEffects effects;
   double maintenance_factor = 1;

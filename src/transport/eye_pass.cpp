@@ -189,7 +189,8 @@ class MeterPaths {
     sensor.first.radius = float(std::sqrt(radius2));
     if (merges || in_.settings.actual_perturbation) sensor.later = {walk_radius_, &photons_.of_walks};
     if (in_.moments) sensor.excess = &tally_.excess_of_meters[s_][i * in_.moments->row()];
-    sensor.media = &in_.scene.media_stacks[in_.scene.media_of_meter[s_][m]];
+    const uint32_t media = in_.scene.media_of_meter[s_][m];
+    sensor.media = media == none ? nullptr : &in_.scene.media_stacks[media];
     sensor.direct_found_from = direct_.found_from(s_, m);
     sensor.image_found_from = direct_.image_found_from(s_, m);
     const size_t columns = in_.plan.separation.columns.size();
@@ -204,7 +205,11 @@ class MeterPaths {
                     uint64_t(in_.meter_visit.number) * samples + k, in_.number, m * samples + k);
     const Meter at = sensor.cell ? set_.sample(m, {rng.get(0, Slot::cell_x), rng.get(0, Slot::cell_y)}) : set_.meters[m];
     ++work.eye_paths;
+    MediaStack here;  // of a cell that is partly in glass
+    const bool differ = !sensor.media;
+    if (differ) here = media_at(in_.scene, at.p + at.frame.n * (2 * at.error)), sensor.media = &here;
     const EyeTally found = EyeWalk(in_, photons_, sensor, rng, work).from_meter(at.p, at.error, at.frame);
+    if (differ) sensor.media = nullptr;
     if (in_.moments) in_.moments->add_eye_path(luminance(found.value()) * sensor.share, sensor.excess);
     return MeterTally::of_path(luminance(found.value()), found.direct, found.bias, {k});
   }

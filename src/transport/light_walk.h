@@ -129,7 +129,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     work_.flux.start(luminance(carried_));
     work_.brightest_lm = std::max(work_.brightest_lm, luminance(carried_));
     direction_ = start_.direction;
-    media_ = scene_.media_stacks[scene_.media_of_emitter[choice.index]];
+    const uint32_t media = scene_.media_of_emitter[choice.index];
+    media_ = media == none ? media_at(scene_, origin_) : scene_.media_stacks[media];
     if (in_.recorder) in_.recorder->start_light(choice.index, start_, carried_);
     return true;
   }

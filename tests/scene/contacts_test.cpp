@@ -80,5 +80,55 @@ TEST(Contacts, TheirSearchIsCancelled) {
   EXPECT_TRUE(again->instances == expected->instances);
 }
 
+// A contact that is known holds as long as what was searched is the same: a mesh that is there twice is traced another
+// way than one that is there once, and has other errors; one with holes may not be touched. As a build without an earlier
+// one, to the bit.
+TEST(Contacts, AreSearchedAgainWhereWhatTheyTouchIsTracedAnotherWay) {
+  ThreadPool pool(2);
+  const auto touching = [] {
+    Things t;
+    t.box(t.material(UPS_MATERIAL_MATTE), {-20, -20, -1}, {20, 20, 4});
+    photometry::Opening opening;
+    opening.shape = photometry::OpeningShape::rectangle;
+    opening.size_m[0] = opening.size_m[1] = 0.3f;
+    t.sheet(t.material(UPS_MATERIAL_DIFFUSER), 1, 1);
+    t.downlight({0.3, 0.4, 1 + 5e-5}, opening, 100);
+    return t;
+  };
+  const auto expect_as_fresh = [&](const Things& t, const std::shared_ptr<const Snapshot>& earlier, const char* what) {
+    const auto after = prepare(t.description, pool, earlier), fresh = prepare(t.description, pool);
+    ASSERT_EQ(after->contacts.size(), fresh->contacts.size()) << what;
+    for (const auto& [key, contact] : fresh->contacts) {
+      const Contact& c = after->contacts.at(key);
+      EXPECT_EQ(c.touched, contact.touched) << what;
+      EXPECT_EQ(max_abs(c.shift - contact.shift), 0) << what << ": " << c.shift.z << ", " << contact.shift.z;
+    }
+    EXPECT_EQ(after->warnings, fresh->warnings) << what;
+    for (size_t e = 0; e < fresh->emitters.size(); ++e)
+      EXPECT_EQ(max_abs(after->emitters[e].center() - fresh->emitters[e].center()), 0) << what;
+  };
+  {
+    Things t = touching();
+    const auto before = prepare(t.description, pool);
+    ups_instance_desc twin{};
+    twin.mesh.v = 2;
+    twin.to_world[0] = twin.to_world[5] = twin.to_world[10] = 1;
+    twin.to_world[3] = 10;
+    t.description.add_instance(twin);
+    expect_as_fresh(t, before, "a twin");
+  }
+  for (const bool hole : {true, false}) {
+    Things t = touching();
+    t.sheet(t.material(UPS_MATERIAL_GLAZING), 1, 3);  // so that the ray tracer stays as it is
+    const auto before = prepare(t.description, pool);
+    EXPECT_TRUE(before->contacts.begin()->second.is_moved());
+    ups_material_desc changed = Things::desc(UPS_MATERIAL_DIFFUSER, hole ? 0.0f : 1.0f);
+    changed.emits_both_sides = 1;
+    if (hole) changed.alpha_mode = UPS_ALPHA_MASK, changed.alpha = 0;
+    t.description.set_material({2}, changed);
+    expect_as_fresh(t, before, hole ? "a hole" : "it shines");
+  }
+}
+
 }  // namespace
 }  // namespace ups

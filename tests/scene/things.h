@@ -12,7 +12,7 @@ namespace ups {
 struct Things {
   Description description;
 
-  uint32_t material(ups_material_model model, float luminance = 0, float absorption = 0) {
+  static ups_material_desc desc(ups_material_model model, float luminance = 0, float absorption = 0) {
     ups_material_desc d{};
     d.struct_size = sizeof d;
     d.model = model;
@@ -21,7 +21,10 @@ struct Things {
     for (float& l : d.luminance_cd_m2) l = luminance;
     for (float& a : d.absorption_per_m_rgb) a = absorption;
     d.ior = 1.5f, d.alpha = 1, d.alpha_cutoff = 0.5f, d.normal_scale = 1;
-    return description.add_material(d).v;
+    return d;
+  }
+  uint32_t material(ups_material_model model, float luminance = 0, float absorption = 0) {
+    return description.add_material(desc(model, luminance, absorption)).v;
   }
   // A box with its front outwards, placed.
   void box(uint32_t material, const Vec3d& lo, const Vec3d& hi, bool mirrored = false) {
