@@ -200,9 +200,12 @@ uint32_t starts_beyond(const Snapshot& scene, const Emitter& emitter, uint32_t i
       continue;
     const SurfacePoint other = scene.raytracer->surface_at(hit);
     if (!(std::abs(dot(other.ng, s.n)) > 0.999f) || lets_light_by(scene, other)) continue;
-    // What leaves the scene, as from under a box on the floor, lights nothing that it should not.
+    // What leaves the scene, as from under a box on the floor, or meets a slab's other face from within, lights nothing
+    // that it should not.
     Hit lit;
-    if (intersect_beyond_panes(scene, s.p + s.direction * away, s.direction, lit)) ++beyond[hit.instance];
+    if (!intersect_beyond_panes(scene, s.p + s.direction * away, s.direction, lit)) continue;
+    const bool within = lit.instance == hit.instance && dot(scene.raytracer->surface_at(lit).ng, s.direction) > 0;
+    if (!within) ++beyond[hit.instance];
   }
   for (const auto& [other, samples] : beyond)
     if (10 * samples >= count) return other;

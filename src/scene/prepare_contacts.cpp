@@ -108,7 +108,8 @@ TouchableParts Builder::find_contacts() {
   TouchableParts touchable = touchable_parts();
   if (!touchable.empty()) search_contacts(touchable);
   // One that is gone has left its emitter where that was set back to.
-  for (const auto& [key, before] : earlier_ ? earlier_->contacts : std::map<SourceKey, Contact>()) {
+  if (!earlier_) return touchable;
+  for (const auto& [key, before] : earlier_->contacts) {
     const auto now = out_->contacts.find(key);
     contacts_differ_ |= before.is_to_move() && (now == out_->contacts.end() || !now->second.is_to_move());
   }

@@ -15,13 +15,17 @@ namespace {
 class GlassBoxes {
  public:
   explicit GlassBoxes(const Snapshot& scene) {
+    const double margin = 0x1p-17 * double(scene.radius);  // no surface point's error is larger
+    const Vec3d pad{margin, margin, margin};
     for (size_t i = 0; i < scene.instances.size(); ++i) {
       const uint32_t m = scene.media.of_instance[i];
       if (m == none) continue;
       open_ |= scene.media.by_rank[m].is_open();
       const Mesh& mesh = *scene.meshes[scene.instances[i].mesh];
-      boxes_.push_back((mesh.revolution ? bounding_box(mesh) : scene.mesh_boxes[scene.instances[i].mesh])
-                           .transformed(scene.instances[i].to_scene));
+      Box box = (mesh.revolution ? bounding_box(mesh) : scene.mesh_boxes[scene.instances[i].mesh])
+                    .transformed(scene.instances[i].to_scene);
+      box.lower = box.lower - pad, box.upper = box.upper + pad;
+      boxes_.push_back(box);
     }
   }
   bool may_hold(const Vec3& p) const {

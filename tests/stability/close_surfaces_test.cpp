@@ -83,6 +83,15 @@ TEST(Taught, OpeningsRecessedInACeilingLightTheRoom) {
     EXPECT_NEAR(read(0, method) / read(0.001, method), 1, 0.01) << method_name(method);
 }
 
+// A luminous box that stands on a slab lights nothing in it.
+TEST(Taught, LuminousBoxesOnASlabAreNotTold) {
+  Scene scene;
+  scene.add(box({-5, -5, -0.2}, {5, 5, 0}), matte(0.5));
+  scene.add(box({-0.3, -0.3, 0}, {0.3, 0.3, 0.4}), emitter(1000));
+  scene.add_meters({{1, 0, 0}}, {0, 0, 1});
+  EXPECT_EQ(scene_warnings(scene).find("should meet that starts behind it"), std::string::npos);
+}
+
 // A luminous box of a mesh right under such a floor: the light of its top starts above it. Told, and not of one with
 // room, nor where nothing is above.
 TEST(Taught, EmittersThatStartBehindWhatLiesOnThemAreTold) {
