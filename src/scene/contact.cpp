@@ -3,23 +3,18 @@
 
 #include <algorithm>
 
-#include "base/rng.h"
+#include "scene/emission_samples.h"
 
 namespace ups {
 
-// Spread over the area, the same each time. What touches between them in a spot is a small share of the light.
+// What touches between them in a spot is a small share of the light.
 std::vector<EmittingPoint> emitting_points(const Emitter& emitter, bool both_sides) {
-  constexpr uint32_t count = 256;
   std::vector<EmittingPoint> points;
-  for (uint32_t i = 0; i < count; ++i) {
-    const auto u = philox({i, 0, 0, 0}, {0, 0});
-    EmissionSample s;
-    if (!emitter.sample_emission({(float(i) + 0.5f) / count, to_unit_float(u[0])},
-                                 {to_unit_float(u[1]), to_unit_float(u[2])}, s))
-      continue;
+  each_emission(emitter, 256, 0, [&](const EmissionSample& s) {
     points.push_back({s.p, s.n, s.error});
     if (both_sides) points.push_back({s.p, -s.n, s.error});
-  }
+    return true;
+  });
   return points;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/frame.h"
 #include "base/rng.h"
+#include "scene/emission_samples.h"
 #include "scene/panes.h"
 
 namespace ups {
@@ -164,49 +165,39 @@ SourcePlace off_surfaces(const Snapshot& scene, const Vec3& p, const Emitter& em
 }
 
 bool lies_in_another(const Snapshot& scene, const Emitter& emitter, uint32_t instance) {
-  constexpr uint32_t count = 64;
-  for (uint32_t i = 0; i < count; ++i) {
-    const auto u = philox({i, 5, 0, 0}, {0, 0});
-    EmissionSample s;
-    if (!emitter.sample_emission({(float(i) + 0.5f) / count, to_unit_float(u[0])},
-                                 {to_unit_float(u[1]), to_unit_float(u[2])}, s))
-      continue;
+  bool lies = false;
+  each_emission(emitter, 64, 5, [&](const EmissionSample& s) {
     const float away = 64 * s.error / std::max(s.cos_0, 0.1f);
     Hit hit;
     if (!scene.raytracer->intersect(s.p + s.direction * away, -s.direction, 2 * away, hit) || hit.instance == instance)
-      continue;
-    const SurfacePoint other = scene.raytracer->surface_at(hit);
-    if (std::abs(dot(other.p - s.p, s.n)) <= 2 * (s.error + other.error) && std::abs(dot(other.ng, s.n)) > 0.9999f &&
-        !lets_light_by(scene, other))
       return true;
-  }
-  return false;
+    const SurfacePoint other = scene.raytracer->surface_at(hit);
+    lies = std::abs(dot(other.p - s.p, s.n)) <= 2 * (s.error + other.error) &&
+           std::abs(dot(other.ng, s.n)) > 0.9999f && !lets_light_by(scene, other);
+    return !lies;
+  });
+  return lies;
 }
 
 uint32_t starts_beyond(const Snapshot& scene, const Emitter& emitter, uint32_t instance) {
   constexpr uint32_t count = 64;
   std::map<uint32_t, uint32_t> beyond;
-  for (uint32_t i = 0; i < count; ++i) {
-    const auto u = philox({i, 7, 0, 0}, {0, 0});
-    EmissionSample s;
-    if (!emitter.sample_emission({(float(i) + 0.5f) / count, to_unit_float(u[0])},
-                                 {to_unit_float(u[1]), to_unit_float(u[2])}, s))
-      continue;
+  each_emission(emitter, count, 7, [&](const EmissionSample& s) {
     // Slanting: which of two in the same plane is met is rounding's choice.
     const float away = 2 * s.error / std::max(s.cos_0, 0.25f);
+    const Vec3 start = s.p + s.direction * away;
     Hit hit;
-    if (!scene.raytracer->intersect(s.p + s.direction * away, -s.direction, 1.5f * away, hit) ||
-        hit.instance == instance)
-      continue;
+    if (!scene.raytracer->intersect(start, -s.direction, 1.5f * away, hit) || hit.instance == instance) return true;
     const SurfacePoint other = scene.raytracer->surface_at(hit);
-    if (!(std::abs(dot(other.ng, s.n)) > 0.999f) || lets_light_by(scene, other)) continue;
+    if (!(std::abs(dot(other.ng, s.n)) > 0.999f) || lets_light_by(scene, other)) return true;
     // What leaves the scene, as from under a box on the floor, or meets a slab's other face from within, lights nothing
     // that it should not.
     Hit lit;
-    if (!intersect_beyond_panes(scene, s.p + s.direction * away, s.direction, lit)) continue;
+    if (!intersect_beyond_panes(scene, start, s.direction, lit)) return true;
     const bool within = lit.instance == hit.instance && dot(scene.raytracer->surface_at(lit).ng, s.direction) > 0;
     if (!within) ++beyond[hit.instance];
-  }
+    return true;
+  });
   for (const auto& [other, samples] : beyond)
     if (10 * samples >= count) return other;
   return none;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/rng.h"
-#include "scene/snapshot.h"
+#include "scene/traced_box.h"
 
 namespace ups {
 
@@ -41,9 +41,7 @@ Panes find_panes(const Snapshot& scene, const std::vector<Raytracer::Instance>& 
     if (pane) mark(panes.of_instance);
     if (blended) mark(panes.blended);
     if (!pane && !blended) continue;
-    const Mesh& mesh = *scene.meshes[instances[i].mesh];
-    const Box box = (mesh.revolution ? bounding_box(mesh) : scene.mesh_boxes[instances[i].mesh])
-                        .transformed(instances[i].to_scene);
+    const Box box = traced_box(scene, instances[i]);
     panes.bounds.grow(box.lower - Vec3d{margin, margin, margin});
     panes.bounds.grow(box.upper + Vec3d{margin, margin, margin});
   }

@@ -6,17 +6,14 @@
 #include "emitter/area.h"
 #include "emitter/profile.h"
 #include "scene/builder.h"
-#include "scene/length_text.h"
 #include "scene/footing.h"
+#include "scene/length_text.h"
+#include "scene/traced_box.h"
 
 namespace ups {
 namespace {
 
 Box around(const Vec3d& p, const Vec3d& reach) { return {p - reach, p + reach}; }
-
-Box traced_box(const Mesh& mesh, const Box& of_vertices) {
-  return mesh.revolution ? bounding_box(mesh) : of_vertices;
-}
 
 }  // namespace
 
@@ -35,7 +32,7 @@ TouchableParts Builder::touchable_parts() const {
     if ((!solid && !sheet) || emission(i) != ContactPart::none_emitted) continue;
     const auto& mesh = out_->meshes[i.mesh];
     parts.push_back({{solid ? ContactPart::solid : ContactPart::sheet, i.number, i.to_scene, mesh},
-                     traced_box(*mesh, out_->mesh_boxes[i.mesh]).transformed(i.to_scene), i});
+                     traced_box(*out_, i), i});
   }
   // A shadow ray is shortened by what its length and origin round to, see segment_free (transport/encounter.h).
   return {std::move(parts), {rounding_of_places(), 0x1p-18 * double(out_->radius), contact_reach()}};
@@ -61,7 +58,7 @@ std::map<Builder::SourceKey, Contact> Builder::possible_contacts(const Touchable
     if (role == ContactPart::none_emitted) continue;
     const auto& mesh = out_->meshes[i.mesh];
     add({UPS_SOURCE_INSTANCE, i.number}, {role, i.number, i.to_scene, mesh},
-        traced_box(*mesh, out_->mesh_boxes[i.mesh]).transformed(i.to_scene));
+        traced_box(*out_, i));
   }
   in_.sources().each([&](uint32_t id, const SourceDescription& source) {
     const auto* l = std::get_if<LuminaireDescription>(&source.kind);

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "base/rng.h"
-#include "geometry/raytracer.h"
 #include "scene/builder.h"
+#include "scene/emission_samples.h"
+#include "scene/traced_box.h"
 
 namespace ups {
 namespace {
@@ -21,9 +21,7 @@ class GlassBoxes {
       const uint32_t m = scene.media.of_instance[i];
       if (m == none) continue;
       open_ |= scene.media.by_rank[m].is_open();
-      const Mesh& mesh = *scene.meshes[scene.instances[i].mesh];
-      Box box = (mesh.revolution ? bounding_box(mesh) : scene.mesh_boxes[scene.instances[i].mesh])
-                    .transformed(scene.instances[i].to_scene);
+      Box box = traced_box(scene, scene.instances[i]);
       box.lower = box.lower - pad, box.upper = box.upper + pad;
       boxes_.push_back(box);
     }
@@ -58,16 +56,13 @@ std::optional<MediaStack> media_of(const Snapshot& scene, const GlassBoxes& glas
 
 // Does light of an emitter, of which a place lies in `than`, start elsewhere, too?
 bool starts_in_others(const Snapshot& scene, const Emitter& emitter, const MediaStack& than) {
-  constexpr uint32_t points = 16;
-  for (uint32_t i = 0; i < points && !emitter.is_delta(); ++i) {
-    const auto u = philox({i, 8, 0, 0}, {0, 0});
-    EmissionSample s;
-    if (emitter.sample_emission({(float(i) + 0.5f) / points, to_unit_float(u[0])},
-                                {to_unit_float(u[1]), to_unit_float(u[2])}, s) &&
-        !(media_at(scene, s.p + s.n * (2 * s.error)) == than))
-      return true;
-  }
-  return false;
+  bool others = false;
+  if (!emitter.is_delta())
+    each_emission(emitter, 16, 8, [&](const EmissionSample& s) {
+      others = !(media_at(scene, s.p + s.n * (2 * s.error)) == than);
+      return !others;
+    });
+  return others;
 }
 
 }  // namespace
