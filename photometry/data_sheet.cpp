@@ -115,11 +115,11 @@ double front_share(const Photometry& p, double front_c_deg, double from, double 
 
 FluxCode flux_code(const Photometry& p) {
   const auto below = [&](double gamma) { return zonal_flux_lm(p, 0, gamma, FluxRule::band); };
-  const double down = below(90), all = flux_lm(p);
+  const double down = below(90), all = flux_lm(p), lamps = lamp_flux_lm(p);
   const auto percent = [](double part, double whole) { return whole > 0 ? 100 * part / whole : 0; };
   const double quarter = std::acos(0.75) / degree, three_quarters = std::acos(0.25) / degree;
   return {{percent(below(quarter), down), percent(below(60), down), percent(below(three_quarters), down),
-           percent(down, all), p.rated_flux_lm > 0 ? percent(all, p.rated_flux_lm) : 100}};
+           percent(down, all), lamps > 0 ? percent(all, lamps) : 100}};
 }
 
 HighLuminance high_luminance(const Photometry& p) {
@@ -174,7 +174,7 @@ BugRating bug_rating(const Photometry& p, double front_c_deg) {
 UtilisationFactors utilisation_factors(const Photometry& p) {
   const double flux = flux_lm(p);
   const RoomRays rays(p.distribution);
-  const double output_ratio = p.rated_flux_lm > 0 ? flux / p.rated_flux_lm : 1;
+  const double lamps = lamp_flux_lm(p), output_ratio = lamps > 0 ? flux / lamps : 1;
   UtilisationFactors out;
   for (int r = 0; r < UtilisationFactors::rooms; ++r) {
     const double side = 2 * UtilisationFactors::room_index[r];

@@ -10,6 +10,7 @@
 #include "photometry/ies_header.h"
 #include "photometry/ies_opening.h"
 #include "photometry/ies_planes.h"
+#include "photometry/metrics.h"
 
 namespace photometry {
 namespace {
@@ -214,7 +215,7 @@ void IesReader::read_candelas(double scale) {
 void IesReader::check_flux(const Photometry& photometry) {
   const double flux = photometry.distribution.band_flux_lm();
   if (flux == 0) warn(table_line_, "all intensities are 0");
-  if (rated_flux_lm_ > 0 && flux > 1.05 * rated_flux_lm_)
+  if (rated_flux_lm_ > 0 && flux > most_output_ratio * rated_flux_lm_)
     warn(flux_line_, "the candelas add up to " + shown(flux) + " lm, more than the lamps' " + shown(rated_flux_lm_) +
                          " lm; the candelas are used as they are");
 }

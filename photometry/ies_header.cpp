@@ -15,23 +15,25 @@ IesEdition edition_of_year(int year) {
                        : IesEdition::y2019;
 }
 
-// IESNA91, IESNA95, IESNA:LM-63-YYYY or IES:LM-63-YYYY, with blanks anywhere and anything after. Anything else is 1986,
-// the edition that had no such line.
+// IESNA91, IESNA95, IESNA:LM-63-YYYY or IES:LM-63-YYYY, with blanks anywhere and anything after; of years some programs
+// write two digits, and ANSI/ before it. Anything else is 1986, the edition that had no such line.
 void read_edition(std::string_view first_line, size_t line, IesHeader& header, std::vector<std::string>& warnings) {
   const auto warn = [&](const std::string& what) { warnings.push_back(at_line(line, what)); };
   std::string key = upper_case(first_line);
   key.erase(std::remove_if(key.begin(), key.end(), [](char c) { return c == ' ' || c == '\t'; }), key.end());
+  if (key.rfind("ANSI/", 0) == 0) key.erase(0, 5);
   if (key.rfind("IES", 0) != 0) return;
   const size_t tag = key.find("LM-63-");
   std::string year;
   for (size_t i = tag != key.npos ? tag + 6 : 5; i < key.size() && key[i] >= '0' && key[i] <= '9'; ++i) year += key[i];
-  const bool complete = tag != key.npos ? year.size() == 4 : key.rfind("IESNA", 0) == 0 && year.size() == 2;
+  const bool complete = tag != key.npos ? year.size() == 4 || year.size() == 2
+                                        : key.rfind("IESNA", 0) == 0 && year.size() == 2;
   double number = 0;
   if (!complete || !parse_number(year, number)) {
     warn("unknown version \"" + std::string(first_line) + "\"; read as LM-63-1986");
     return;
   }
-  const int full = int(number) + (year.size() == 2 ? 1900 : 0);
+  const int full = int(number) + (year.size() == 4 ? 0 : number < 86 ? 2000 : 1900);
   header.edition = edition_of_year(full);
   if (full != 1986 && full != 1991 && full != 1995 && full != 2002 && full != 2019)
     warn("there is no edition of " + std::to_string(full) + "; read as " + name_of(header.edition));
@@ -40,7 +42,8 @@ void read_edition(std::string_view first_line, size_t line, IesHeader& header, s
 }
 
 bool is_version_line(std::string_view line) {
-  const std::string key = upper_case(line);
+  std::string key = upper_case(line);
+  if (key.rfind("ANSI/", 0) == 0) key.erase(0, 5);
   return key.rfind("IESNA", 0) == 0 || (key.rfind("IES", 0) == 0 && key.find("LM-63") != key.npos);
 }
 

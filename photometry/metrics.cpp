@@ -195,6 +195,11 @@ double flux_lm(const Photometry& photometry) {
   return photometry.rays.empty() ? d.band_flux_lm() : d.interpolated_flux_lm();
 }
 
+double lamp_flux_lm(const Photometry& photometry) {
+  const double rated = photometry.rated_flux_lm;
+  return rated > 0 && flux_lm(photometry) <= most_output_ratio * rated ? rated : -1;
+}
+
 double zonal_flux_lm(const Photometry& photometry, double from_deg, double to_deg, FluxRule rule) {
   const Distribution& d = photometry.distribution;
   if (rule == FluxRule::band && !photometry.rays.empty()) return flux_of_rays(photometry.rays, from_deg, to_deg);
@@ -249,7 +254,7 @@ Metrics metrics_of(const Photometry& photometry) {
   m.interpolated_down_flux_lm = zonal_flux_lm(photometry, 0, 90, FluxRule::interpolated);
   m.interpolated_up_flux_lm = zonal_flux_lm(photometry, 90, 180, FluxRule::interpolated);
   const double flux = flux_lm(photometry);
-  if (photometry.rated_flux_lm > 0) m.light_output_ratio = flux / photometry.rated_flux_lm;
+  if (const double lamps = lamp_flux_lm(photometry); lamps > 0) m.light_output_ratio = flux / lamps;
   if (photometry.input_power_w > 0) m.efficacy_lm_per_w = flux / photometry.input_power_w;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {

@@ -28,6 +28,10 @@ enum class FluxRule {
 };
 // By the band rule; of rays their sum, which their table has as it is interpolated.
 double flux_lm(const Photometry& photometry);
+// Of the lamps, that ratios are over; < 0: none is stated (absolute photometry), or less than the luminaire's own flux,
+// as of LED files that state a single chip's.
+double lamp_flux_lm(const Photometry& photometry);
+inline constexpr double most_output_ratio = 1.05;  // by rounding and interpolation
 // Flux between two gamma angles, degrees, lm; 0 <= from <= to <= 180. Over the whole sphere it is the distribution's
 // flux by that rule. Tables of type A and B have no bands about the vertical: their flux by either rule is parted as a
 // quadrature of the interpolated intensity is (half a degree of gamma, one of C).

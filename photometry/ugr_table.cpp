@@ -21,7 +21,7 @@ bool has_area(const Opening& o) {
 bool crosswise_is_c90(const Photometry& p) {
   const double x = double(p.opening.size_m[0]), y = double(p.opening.size_m[1]);
   if (std::abs(x - y) > 0.01 * std::max(x, y)) return x > y;
-  return p.format.rfind("IES", 0) == 0 && p.type == PhotometricType::c;
+  return p.format.rfind("IES LM-63", 0) == 0 && p.type == PhotometricType::c;
 }
 
 // Of all luminaires of a room; plain, without CIE 147. faces_c0: C0 is turned to the eye, else C90.
@@ -54,7 +54,8 @@ UgrTable ugr_table(const Photometry& photometry) {
   const double flux = flux_lm(photometry);
   const RoomRays rays(photometry.distribution);
   UgrTable table;
-  table.lamp_flux_lm = photometry.rated_flux_lm > 0 ? photometry.rated_flux_lm : flux;
+  const double lamps = lamp_flux_lm(photometry);
+  table.lamp_flux_lm = lamps > 0 ? lamps : flux;
   const bool turned = crosswise_is_c90(photometry);
   for (int view = 0; view < UgrTable::views; ++view) {
     const bool faces_c0 = (view == 0) != turned;

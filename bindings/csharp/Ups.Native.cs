@@ -1700,7 +1700,7 @@ namespace Ups
         public uint Id;
         public uint Group;
         public int LightKind;
-        public uint Reserved;
+        public uint Maintained;
         public double FluxLm;
         public Double12 ToWorld;
         public Double3 BoundsMinM;

@@ -109,9 +109,11 @@ enum {
  * straight from sources. Sources are luminaires and lights, each by its intensity over the area of its opening as the
  * eye sees it, and instances that emit; each is one source, weakened by panes and media, and by the share of it that
  * other things hide (by 256 rays, by 64 where it is less than a quarter of the worst and all or none of them arrive).
- * Parts of an instance that stand apart, as panels of one mesh, by more than the smaller one's size and 10 cm, are
- * rated each by its own place in view, and added up.
- * One that looks smaller than 0.005 m^2, or has no extent, counts 200 I^2 / (r^2 p^2) (CIE 147). */
+ * Parts of an instance that stand apart, as panels of one mesh, by more than a quarter of the smaller one's size and
+ * 10 cm, are rated each by its own place in view, and added up. So are the pieces of a surface that stretches far, as
+ * a luminous ceiling or a line of light: its position index is that of them together; what is out of view adds nothing.
+ * One that looks smaller than 0.005 m^2, or has no extent, counts 200 I^2 / (r^2 p^2) (CIE 147).
+ * Of the scene as it is rendered: with a maintenance factor M, 8 log10(1 / M) below what its luminaires rate new. */
 typedef struct ups_observer_reading {
   uint32_t struct_size;
   uint32_t flags;                   /* UPS_OBSERVER_* */

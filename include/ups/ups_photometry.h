@@ -86,7 +86,8 @@ typedef struct ups_profile_info {
   ups_photometric_type photometric_type;
   uint32_t ray_count;                /* of a ray file, else 0 */
   double up_flux_lm, down_flux_lm;   /* above and below the horizon, together flux_lm */
-  double light_output_ratio;         /* flux_lm / rated_flux_lm; < 0: not known */
+  double light_output_ratio;         /* flux_lm / rated_flux_lm; < 0: not known, or the file states less for its lamps than
+                                      * its intensities add up to */
   float beam_angle_deg[2];           /* where the intensity is half of the peak; planes C0-C180 and
                                       * C90-C270; < 0: nowhere */
   float field_angle_deg[2];          /* a tenth of the peak */

@@ -69,12 +69,12 @@ typedef struct ups_render_desc {
                                        * trace */
   float target_relative_error;        /* stop when the relative error that target_criterion says is below: by default
                                        * the worst meter's error_bound / max(E, 5 % of its set's mean), without meters
-                                       * the mean pixel's; without cameras too a goniometer's, whatever the criterion:
-                                       * the noise of its nodes, 95 %, in the mean over the light; 0: off. The error is
-                                       * looked at after 16, 20, 25, 32, ... (steps of 1.25) visits of all meters;
-                                       * without meters from 4 visits of all pixels and 16 iterations on. Against
-                                       * stopping by luck two looks one after the other must find it below, the second
-                                       * no sooner than after 32 visits */
+                                       * the mean pixel's, of those that light has reached; without cameras too a
+                                       * goniometer's, whatever the criterion: the noise of its nodes, 95 %, in the mean
+                                       * over the light; 0: off. The error is looked at after 16, 20, 25, 32, ...
+                                       * (steps of 1.25) visits of all meters; without meters from 4 visits of all
+                                       * pixels and 16 iterations on. Against stopping by luck two looks one after the
+                                       * other must find it below, the second no sooner than after 32 visits */
   float merge_radius_m;               /* of pixels and walks the first one; of point meters the widest disc, from
                                        * whose rings each reading takes as many as serve it best. 0: from the scene,
                                        * whose diameter is the most */
@@ -382,7 +382,8 @@ typedef struct ups_scene_source {
   ups_source_kind kind;    /* a luminaire or light, or an instance */
   uint32_t id, group;      /* id: the v of its ups_luminaire_id or ups_instance_id */
   int32_t light_kind;      /* UPS_LIGHT_* of a light; -1: a luminaire or an instance */
-  uint32_t reserved;       /* 0 */
+  uint32_t maintained;     /* 1: flux_lm has the scene's maintenance factor in it, as a luminaire's and a fixture's has; 0:
+                            * it has not, as of lights and luminous surfaces */
   double flux_lm;          /* as it is rendered, dimming included; 0: it emits nothing */
   double to_world[12];     /* as it was added */
   double bounds_min_m[3], bounds_max_m[3]; /* of the opening that it emits from or of its surface; of what has no extent
@@ -432,7 +433,8 @@ typedef struct ups_goniometer_beam {
 UPS_API ups_status ups_result_get_goniometer_beam(const ups_result *result, ups_sensor_id sensor, float c_deg,
                                                   float fraction, ups_goniometer_beam *beam);
 /* The distribution as a profile, with the opening of the desc, rated for the emitted flux: for luminaires and for
- * ups_profile_write. The caller owns *out. */
+ * ups_profile_write. What the scene's maintenance factor takes is taken from it, too: measure with a factor of 1. The
+ * caller owns *out. */
 UPS_API ups_status ups_result_get_goniometer_profile(const ups_result *result, ups_sensor_id sensor, ups_profile **out);
 typedef int32_t ups_channel;
 enum {

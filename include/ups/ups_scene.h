@@ -11,7 +11,8 @@ enum {
                               * `metallic` mixes in METAL */
   UPS_MATERIAL_METAL = 2,    /* GGX conductor: reflectance is F0; or complex index ior_rgb, ior_k_rgb where any k > 0 */
   UPS_MATERIAL_MIRROR = 3,   /* ideal mirror; reflectance at every angle */
-  UPS_MATERIAL_GLASS = 4,    /* solid dielectric of `ior`, `roughness`, absorption_per_m_rgb behind its surface */
+  UPS_MATERIAL_GLASS = 4,    /* solid dielectric of `ior`, `roughness`, absorption_per_m_rgb behind its surface; with
+                              * what it touches, and no light goes through, in optical contact */
   UPS_MATERIAL_GLAZING = 5,  /* thin pane of `ior`; transmittance at normal incidence with inner
                               * reflections (< 0: clear) */
   UPS_MATERIAL_DIFFUSER = 6  /* thin Lambertian: reflectance and transmittance, together <= 1 */
@@ -32,7 +33,8 @@ typedef struct ups_material_desc {
   ups_material_model model;
   float reflectance_rgb[3], transmittance_rgb[3]; /* [0, 1], linear Rec.709; transmittance < 0: the model's default */
   float roughness;                                /* [0, 1]; GGX alpha = roughness squared */
-  float ior;                                      /* 1 to 1e6 for dielectrics */
+  float ior;                                      /* 1 to 1e6 for dielectrics; of all but GLASS against air, in
+                                                   * glass and water too */
   float ior_rgb[3], ior_k_rgb[3];                 /* METAL's complex index, <= 1e6; all k 0: reflectance is F0 */
   float absorption_per_m_rgb[3];                  /* GLASS, >= 0 */
   float metallic;                                 /* [0, 1], PLASTIC only: share of METAL with

@@ -236,7 +236,7 @@ def cases():
                       iterations=256),
         parabola_case("parabola_small", 0.060, 0.001, 0.05, 0.065, **small),
         collimated_case(),
-        ellipse_case("ellipse", 0.05, 0.005, fast={"ups": 40, "pt": 128}, iterations={"bpt": 128, "pt": 128}),
+        ellipse_case("ellipse", 0.05, 0.005, fast={"ups": 40}, iterations={"bpt": 128, "pt": 128}),
         parabola_case("parabola_40", 0.040, 0.001, 0.3, 0.06, fast=(), **small),
         parabola_case("parabola_100", 0.100, 0.001, 0.3, 0.105, fast=(), **small),
         # Twice as fine: what the facets cost.

@@ -145,7 +145,7 @@ def case_five_times():
             high = 100 * (CANDELA / (k * SIZE) ** 2 / lux - 1)
             checks.append(Check(name, lux, i, f"{name}, {k} D", f"I / d^2 is {high:.2f} % high"))
     return Case("five_times", "five-times rule: openings of luminaire files, disc, square, line and point",
-                build_five_times, checks, fast={"ups": 512})  # all methods shoot the same shadow rays
+                build_five_times, checks, fast={"pt": 512})  # all methods shoot the same shadow rays
 
 
 # Integrating spheres of 1 m radius. The references take the area of the polyhedron.

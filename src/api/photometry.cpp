@@ -197,7 +197,8 @@ ups_profile_info info_of(const photometry::Photometry& data) {
   info.ray_count = uint32_t(data.rays.size());
   info.down_flux_lm = photometry::zonal_flux_lm(data, 0, 90, photometry::FluxRule::band);
   info.up_flux_lm = std::max(0.0, info.flux_lm - info.down_flux_lm);
-  info.light_output_ratio = data.rated_flux_lm > 0 ? info.flux_lm / data.rated_flux_lm : -1;
+  const double lamps = photometry::lamp_flux_lm(data);
+  info.light_output_ratio = lamps > 0 ? info.flux_lm / lamps : -1;
   for (int i = 0; i < 2; ++i) {
     info.beam_angle_deg[i] = float(photometry::beam_of(data, photometry::Metrics::plane_deg[i], 0.5).angle_deg);
     info.field_angle_deg[i] = float(photometry::beam_of(data, photometry::Metrics::plane_deg[i], 0.1).angle_deg);

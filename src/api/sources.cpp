@@ -44,6 +44,7 @@ ups_status ups_scene_get_source(const ups_scene* scene, uint32_t index, ups_scen
     info.id = s.tag->bits() | from.id;
     info.group = from.group;
     info.light_kind = from.light_kind;
+    info.maintained = from.profile || from.of_fixture;
     info.flux_lm = flux_of(s, index);
     std::copy(std::begin(from.to_world.m), std::end(from.to_world.m), info.to_world);
     copy(from.bounds_min, info.bounds_min_m);

@@ -195,7 +195,7 @@ void join_at_corners(const std::vector<EmitterTriangle>& triangles, JoinedSets& 
 
 void join_neighbours(const std::vector<EmitterTriangle>& triangles, const std::vector<uint32_t>& firsts,
                      JoinedSets& sets) {
-  constexpr double least_gap_m = 0.1;
+  constexpr double least_gap_m = 0.1, least_gap = 0.25;  // of the smaller one's size: as between tiles in their frames
   std::vector<Box> boxes(firsts.size());
   for (uint32_t i = 0; i < triangles.size(); ++i) {
     const auto at = std::lower_bound(firsts.begin(), firsts.end(), sets.of(i)) - firsts.begin();
@@ -210,7 +210,7 @@ void join_neighbours(const std::vector<EmitterTriangle>& triangles, const std::v
   };
   for (size_t i = 0; i < boxes.size(); ++i)
     for (size_t k = i + 1; k < boxes.size(); ++k)
-      if (gap(boxes[i], boxes[k]) <= std::max(least_gap_m, std::min(size(boxes[i]), size(boxes[k]))))
+      if (gap(boxes[i], boxes[k]) <= std::max(least_gap_m, least_gap * std::min(size(boxes[i]), size(boxes[k]))))
         sets.join(firsts[i], firsts[k]);
 }
 
@@ -243,7 +243,42 @@ double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return -2 * std::atan2(dot(a, cross(b, c)), below);
 }
 
+struct Weighed {
+  double solid_angle = 0, sum = 0;
+};
+// A triangle about the eye in pieces: halves across its longest side until that is small beside its distance.
+void weigh_pieces(const Vec3d (&t)[3], bool both_sides, int depth, const std::function<double(const Vec3&)>& weight,
+                  Weighed& out) {
+  constexpr double small = 0.25;
+  constexpr int deepest = 24;  // of what the eye all but touches
+  double w = solid_angle(t[0], t[1], t[2]);
+  if (both_sides) w = std::abs(w);
+  if (!(w > 0)) return;
+  int from = 0;
+  double side2 = 0;
+  for (int i = 0; i < 3; ++i)
+    if (const double l = length2(t[(i + 1) % 3] - t[i]); l > side2) side2 = l, from = i;
+  const Vec3d center = (t[0] + t[1] + t[2]) * (1.0 / 3);
+  if (depth == deepest || side2 <= small * small * length2(center)) {
+    if (!(length2(center) > 0)) return;
+    out.solid_angle += w;
+    out.sum += w * weight(Vec3(normalize(center)));
+    return;
+  }
+  const Vec3d &a = t[from], &b = t[(from + 1) % 3], &c = t[(from + 2) % 3], middle = (a + b) * 0.5;
+  weigh_pieces({a, middle, c}, both_sides, depth + 1, weight, out);
+  weigh_pieces({middle, b, c}, both_sides, depth + 1, weight, out);
+}
+
 }  // namespace
+
+double AreaEmitter::mean_over(const Vec3& eye, const std::function<double(const Vec3&)>& weight) const {
+  Weighed all;
+  for (const EmitterTriangle& t : triangles_)
+    weigh_pieces({Vec3d(t.p0) - Vec3d(eye), Vec3d(t.p1) - Vec3d(eye), Vec3d(t.p2) - Vec3d(eye)}, both_sides_, 0, weight,
+                 all);
+  return all.solid_angle > 0 ? all.sum / all.solid_angle : 0;
+}
 
 bool AreaEmitter::seen_from(const Vec3& eye, Sight& out) const {
   Vec3d center;

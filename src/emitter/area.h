@@ -1,6 +1,7 @@
 // Triangles that emit light evenly in all directions: a Lambertian area emitter of constant luminance. Made by the
 // scene for every instance whose material emits.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "base/discrete.h"
@@ -47,8 +48,12 @@ class AreaEmitter : public Emitter {
 
   double area() const { return by_area_.total(); }
   // Parts that stand apart, as emitters of their own: those without a common corner, and farther from one another than
-  // the smaller one is large, and than 10 cm. Empty where all is one part, or more than `most` have no common corner.
+  // a quarter of the smaller one's size, and than 10 cm. Empty where all is one part, or more than `most` have no common
+  // corner.
   std::vector<AreaEmitter> separate_parts(size_t most) const;
+  // Over the solid angle that the eye sees of it, the mean of a weight by direction from there. Pieces that are small
+  // beside their distance count by their centres.
+  double mean_over(const Vec3& eye, const std::function<double(const Vec3&)>& weight) const;
 
  private:
   struct Point {

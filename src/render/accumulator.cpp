@@ -380,13 +380,12 @@ ErrorSummary Accumulator::summarize_goniometers() const {
 ErrorSummary Accumulator::summarize_images() const {
   std::vector<double> errors;
   MeanError together;
-  double sum = 0;
   for (const ImageSums& image : images_)
-    if (!image.relative_errors(iterations_, brightest_caustic_lm(0), errors, sum, together)) return {};
-  const double mean = errors.empty() ? -1 : sum / double(errors.size());
+    if (!image.relative_errors(iterations_, brightest_caustic_lm(0), errors, together)) return {};
+  const bool known = !errors.empty();
   ErrorSummary s = summary_of(std::move(errors), 0.0);
-  s.mean = float(mean);
   s.meters = {together.mean()};
+  s.mean = known ? s.meters[0].error() : -1;
   return s;
 }
 

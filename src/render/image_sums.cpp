@@ -267,7 +267,7 @@ MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const 
   return m;
 }
 
-bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vector<double>& out, double& sum,
+bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vector<double>& out,
                                 MeanError& together) const {
   const uint32_t n = passes(iterations);
   if (n < min_batches) return false;
@@ -288,7 +288,6 @@ bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vec
                  scale = mean > 0 ? 1 / std::max(own, share_of_mean * mean) : 0;
     out.push_back(mean > 0 ? image.error_bound[p] / std::max(own, share_of_mean * mean) : 0);
     const bool counts = own > 0 || !lit;
-    if (counts) sum += out.back();
     if (!counts && out.back() <= of_dark) continue;
     const MeterError part = apart(p, n, all[p], image, errors).scaled(scale);
     if (counts)
@@ -297,7 +296,6 @@ bool ImageSums::relative_errors(uint32_t iterations, double caustic_lm, std::vec
       of_dark = out.back(), darkest = part;
   }
   if (of_dark > 0) together.add(darkest);
-  sum += of_dark;
   return true;
 }
 

@@ -51,11 +51,11 @@ class ImageSums {
   void read_techniques(uint32_t iterations, ImageReading& reading) const;
   void find_largest(uint32_t iterations, const ImageReading& reading, LargestSamples& out) const;
   size_t unvisited_pixels(uint32_t iterations) const;  // by eye paths so far
-  // Adds those of all pixels: bound / max(L, share_of_mean of the image's mean), of luminance; and their sum to `sum`,
-  // to which all pixels that no path has brought light to add what one of them could have: had any of them much, some
-  // path would have found it. together: the same, by what makes them fall. False where they are not known yet.
-  bool relative_errors(uint32_t iterations, double caustic_lm, std::vector<double>& out, double& sum,
-                       MeanError& together) const;
+  // Adds those of all pixels: bound / max(L, share_of_mean of the image's mean), of luminance. together: those of pixels
+  // that some path has brought light to, and one of all others: had any of them much, some path would have found it.
+  // Nor do the others make an image any better: they may be as dark as they look, or none of their light found yet.
+  // False where they are not known yet.
+  bool relative_errors(uint32_t iterations, double caustic_lm, std::vector<double>& out, MeanError& together) const;
 
  private:
   uint32_t passes(uint32_t iterations) const { return iterations / plan_.camera_subsets; }

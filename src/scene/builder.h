@@ -120,6 +120,7 @@ class Builder {
   bool sensors_are_same() const { return in_.sensors() == earlier_->described->sensors(); }
   void add_warnings();
   void share_searches();
+  void warn_of_missing_uvs();
   void warn_of_unit();
   void warn_of_maintenance();
 

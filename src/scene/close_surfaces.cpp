@@ -36,6 +36,13 @@ float share_of(const Snapshot& scene, uint32_t instance, size_t instances, const
 // As far as a ray goes on beyond a surface that it has passed, at most: see encounter.cpp, Ray::pass.
 float passed(const Snapshot& scene, const SurfacePoint& s) { return 2 * s.error + 16 * 0x1p-24f * scene.radius; }
 
+std::vector<uint32_t> solids_of_glass(const Snapshot& scene) {
+  std::vector<uint32_t> glass;
+  for (uint32_t i = 0; i < scene.instances.size(); ++i)
+    if (scene.media.of_instance[i] != none) glass.push_back(i);
+  return glass;
+}
+
 }  // namespace
 
 std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadPool& pool, Monitor& monitor) {
@@ -69,10 +76,33 @@ std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadP
   return found;
 }
 
+bool stops_light(const Snapshot& scene, uint32_t instance) {
+  return scene.media.of_instance[instance] == none && !scene.panes.is_crossed(instance) &&
+         scene.emitter_of_instance[instance] == none &&
+         !traits_of(scene.materials[scene.instances[instance].material]).transmits;
+}
+
+std::vector<uint32_t> find_touched_glass(const Snapshot& scene, ThreadPool& pool, Monitor& monitor) {
+  std::vector<uint32_t> found = solids_of_glass(scene);
+  std::vector<char> touched(found.size());
+  parallel_for(pool, found.size(), [&](size_t i) {
+    monitor.check();
+    std::vector<Hit> hits;
+    touched[i] = share_of(scene, found[i], found.size(), [&](const SurfacePoint& s) {
+      hits.clear();
+      scene.raytracer->intersect_all(s.p - s.ng * (2 * s.error), s.ng, 4 * s.error, hits);
+      return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) { return stops_light(scene, hit.instance); });
+    }) > 0;
+  });
+  size_t kept = 0;
+  for (size_t i = 0; i < found.size(); ++i)
+    if (touched[i]) found[kept++] = found[i];
+  found.resize(kept);
+  return found;
+}
+
 std::vector<uint32_t> find_thin_glass(const Snapshot& scene, ThreadPool& pool) {
-  std::vector<uint32_t> glass;
-  for (uint32_t i = 0; i < scene.instances.size(); ++i)
-    if (scene.media.of_instance[i] != none) glass.push_back(i);
+  const std::vector<uint32_t> glass = solids_of_glass(scene);
   std::vector<float> thin(glass.size());
   parallel_for(pool, glass.size(), [&](size_t i) {
     const bool inside_out = scene.media.is_inside_out(glass[i]);

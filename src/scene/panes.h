@@ -25,12 +25,14 @@ struct Panes {
   std::vector<bool> blended;      // where alpha lets a share of the light by, through glazing too; empty: none
   std::vector<bool> on_surface;   // whether a pane is among on_surfaces; empty: none
   std::vector<PaneOnSurface> on_surfaces;
+  std::vector<bool> touched_glass;  // solids of glass that touch what no light goes through; empty: none
   Box bounds;  // of all
 
   bool empty() const { return of_instance.empty() && blended.empty(); }
   bool is_pane(uint32_t instance) const { return !of_instance.empty() && of_instance[instance]; }
   bool is_blended(uint32_t instance) const { return instance < blended.size() && blended[instance]; }
   bool is_on_surface(uint32_t instance) const { return !on_surface.empty() && on_surface[instance]; }
+  bool is_touched_glass(uint32_t instance) const { return instance < touched_glass.size() && touched_glass[instance]; }
   bool is_crossed(uint32_t instance) const { return is_pane(instance) || is_blended(instance); }
   bool operator==(const Panes& b) const { return of_instance == b.of_instance && blended == b.blended; }
   // False where the segment cannot meet one. Most lie altogether to one side of them.

@@ -183,12 +183,13 @@ void Builder::add_geometry() {
   // Whatever is known of their room already: a build without `earlier` knows nothing.
   const auto to_move = [](const auto& c) { return c.second.is_to_move(); };
   const auto blends = [](const SurfaceTexturing& t) { return t.alpha_mode == SurfaceTexturing::blend; };
-  const auto is_glazing = [&](const Raytracer::Instance& i) {
-    return out_->materials[i.material].model == MaterialModel::glazing;
+  const auto is_of_glass = [&](const Raytracer::Instance& i) {
+    const MaterialModel model = out_->materials[i.material].model;
+    return model == MaterialModel::glazing || model == MaterialModel::glass;
   };
   out_->finds_all = std::any_of(out_->contacts.begin(), out_->contacts.end(), to_move) ||
                     std::any_of(out_->texturing.begin(), out_->texturing.end(), blends) ||
-                    std::any_of(instances.begin(), instances.end(), is_glazing);
+                    std::any_of(instances.begin(), instances.end(), is_of_glass);
   same_geometry_ = earlier_ && !contacts_differ_ && has_same_origin() && earlier_->instances.size() == instances.size() &&
                    earlier_->texturing == out_->texturing && earlier_->finds_all == out_->finds_all;
   for (size_t i = 0; same_geometry_ && i < instances.size(); ++i) same_geometry_ = is_same_instance(i);
@@ -243,6 +244,10 @@ void Builder::find_panes_and_what_they_lie_on() {
   for (const PaneOnSurface& pane : out_->panes.on_surfaces) {
     out_->panes.on_surface.resize(out_->instances.size());
     out_->panes.on_surface[pane.instance] = true;
+  }
+  for (const uint32_t glass : find_touched_glass(*out_, threads_, monitor_)) {
+    out_->panes.touched_glass.resize(out_->instances.size());
+    out_->panes.touched_glass[glass] = true;
   }
   if (!same_places_ || out_->panes == earlier_->panes) return;
   same_places_ = same_emitters_ = false;

@@ -19,6 +19,7 @@ void Builder::add_warnings() {
               "parallel light: where it leaves the scene, a goniometer's intensity depends on its grid, as it would be "
               "infinite");
   warn_of_contacts();
+  warn_of_missing_uvs();
   warn_of_unit();
   warn_of_maintenance();
   for (const auto& [what, ids] : shared_warnings_) warn(listed(what.first, ids) + ": " + what.second);
@@ -30,6 +31,22 @@ void Builder::warn_of_maintenance() {
        std::to_string(unmaintained_) + (unmaintained_ == 1 ? " light or emitting surface keeps its"
                                                            : " lights and emitting surfaces keep their") +
        " initial flux");
+}
+
+// Of a texture one place stands for all then: the mean of its corners.
+void Builder::warn_of_missing_uvs() {
+  for (size_t i = 0; i < out_->instances.size(); ++i) {
+    const Raytracer::Instance& instance = out_->instances[i];
+    if (!out_->meshes[instance.mesh]->uvs.empty()) continue;
+    const Material& m = out_->materials[instance.material];
+    const SurfaceTexturing& t = out_->texturing[instance.material];
+    const auto varies = [](const Texture* texture) { return texture && texture->texel_count() > texture->channels(); };
+    if (varies(m.reflectance_texture) || varies(m.roughness_texture) || varies(m.metallic_texture) ||
+        varies(t.normal) || varies(t.alpha))
+      warn_of("instance", out_->instance_ids[i],
+              "its material has textures, but its mesh no uvs, which say where they lie: one place of them is taken "
+              "for all of it");
+  }
 }
 
 // Metres are expected; a room in millimetres is kilometres wide, and what luminaires emit is lost in it.

@@ -12,6 +12,7 @@
 #include "tool/exr_file.h"
 #include "report/map_data.h"
 #include "tool/profile_file.h"
+#include "tool/report.h"
 #include "tool/text_format.h"
 
 namespace ups::tool {
@@ -47,7 +48,8 @@ class MeterTable {
     const char* needed[] = {"x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx"};
     size_t columns[7];
     for (size_t k = 0; k < 7; ++k) columns[k] = column(needed[k], true);
-    const size_t bound = column("error_bound_lx", false);
+    const size_t bound = column("error_bound_lx", false), area = column("area_m2", false);
+    is_vector = column("vector_x_lx", false) < header_.size();
     for (size_t number = 2; std::getline(lines, line); ++number) {
       if (line.empty() || line == "\r") continue;
       const std::vector<std::string> fields = fields_of(line);
@@ -56,6 +58,7 @@ class MeterTable {
       for (size_t k = 0; k < 3; ++k) p.position_m[k] = read(columns[k]), p.normal[k] = read(columns[3 + k]);
       p.illuminance_lx = read(columns[6]);
       p.error_bound_lx = bound == header_.size() ? -1 : read(bound);
+      if (area < header_.size()) p.area_m2 = read(area);
       const bool has_place = p.normal[0] != 0 || p.normal[1] != 0 || p.normal[2] != 0;
       if (has_place) points.push_back(p);  // a triangle without area has none
     }
@@ -63,6 +66,7 @@ class MeterTable {
   }
 
   std::vector<MeterPoint> points;
+  bool is_vector = false;  // illuminances are lengths of light vectors
 
  private:
   size_t column(const char* name, bool needed) const {
@@ -91,7 +95,8 @@ class MeterTable {
 };
 
 MapData map_of_table(const MapOptions& options, const std::string& title) {
-  const std::vector<MeterPoint> points = MeterTable(options.file).points;
+  const MeterTable table(options.file);
+  const std::vector<MeterPoint>& points = table.points;
   std::optional<LoadedScene> scene;
   if (!options.scene.empty()) scene = load_scene(options.scene, {.allow_outside = options.allow_outside});
   std::vector<double> positions;
@@ -102,6 +107,7 @@ MapData map_of_table(const MapOptions& options, const std::string& title) {
     throw Failure(options.file + ": its meters lie on one line or in no plane, or are too many on no lattice; there is "
                                  "no map of them");
   data->summary = summary_of(points);
+  if (table.is_vector) data->quantity = quantity_of(UPS_METER_VECTOR);
   return std::move(*data);
 }
 
@@ -110,27 +116,39 @@ std::vector<float> plane_or_none(const ExrFile& file, const std::string& name) {
   return file.has(name) ? file.channel(name) : std::vector<float>();
 }
 
+// As the image's header tells it.
+SensorInfo camera_of(const ExrFile& file) {
+  SensorInfo camera;
+  camera.width = file.width(), camera.height = file.height();
+  const std::string projection = file.attribute("projection");
+  for (const ups_projection p : {UPS_EQUIDISTANT, UPS_EQUISOLID})
+    if (projection == projection_word(p)) camera.projection = p;
+  return camera;
+}
+
 MapData map_of_image(const MapOptions& options, const std::string& title) {
   const ExrFile file(options.file);
+  const SensorInfo camera = camera_of(file);
   if (options.illuminance) {
     if (!file.has("illuminance.Y"))
       throw Failure(options.file + ": has no illuminance; it must be of a camera with \"illuminance_camera\": true");
-    return image_map(title, "Illuminance", "lx", file.channel("illuminance.Y"),
+    return image_map(title, "Illuminance", "lx", within_image(camera, file.channel("illuminance.Y")),
                      plane_or_none(file, "error_bound.illuminance.Y"), file.width(), file.height());
   }
   if (file.has("R") && file.has("G") && file.has("B")) {
     const std::vector<float> r = file.channel("R"), g = file.channel("G"), b = file.channel("B");
     std::vector<float> rgb;
     for (size_t i = 0; i < r.size(); ++i) rgb.insert(rgb.end(), {r[i], g[i], b[i]});
-    return image_map(title, "Luminance", "cd/m\u00b2", luminance_of(rgb), plane_or_none(file, "error_bound.Y"), file.width(),
-                     file.height());
+    return image_map(title, "Luminance", "cd/m\u00b2", within_image(camera, luminance_of(rgb)),
+                     plane_or_none(file, "error_bound.Y"), file.width(), file.height());
   }
   if (!file.has("Y")) throw Failure(options.file + ": has neither R, G and B nor Y");
   std::vector<float> lux = file.channel("Y");
   const std::vector<float> valid = plane_or_none(file, "valid");  // of a lightmap: which texels there are
   for (size_t i = 0; i < valid.size(); ++i)
     if (valid[i] == 0) lux[i] = -1;
-  return image_map(title, "Illuminance", "lx", lux, plane_or_none(file, "error_bound.Y"), file.width(), file.height());
+  return image_map(title, "Illuminance", "lx", lux, plane_or_none(file, "error_bound.Y"), file.width(), file.height(),
+                   plane_or_none(file, "area"));
 }
 
 }  // namespace

@@ -27,6 +27,13 @@ class ExrFile {
   uint32_t width() const { return width_; }
   uint32_t height() const { return height_; }
   size_t pixels() const { return size_t(width_) * height_; }
+  std::string attribute(const char* name) const {  // a text; empty: there is none
+    size_t needed = 0;
+    if (ups_exr_get_attribute(image_.get(), name, nullptr, 0, &needed) != UPS_OK) return {};
+    return read_text([&](char* to, size_t capacity, size_t* size) {
+      return ups_exr_get_attribute(image_.get(), name, to, capacity, size);
+    });
+  }
   bool has(const std::string& name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
   std::vector<float> channel(const std::string& name) const {
     std::vector<float> values(pixels());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/per_thread.h"
+#include "scene/close_surfaces.h"
 
 namespace ups {
 
@@ -87,6 +88,25 @@ void gather_faces(const Snapshot& scene, const Vec3& d, Encounter& e, std::vecto
     strongest = faces.back().medium;
     e.surface = other;
     e.surface.p = met.p, e.surface.error = met.error;
+  }
+}
+
+// What the glass at e.surface touches, and no light goes through, is met instead, whichever of the two rounding lets a
+// ray meet first: they are in optical contact, and a ray that goes on beyond the face would start behind it. Not what the
+// ray comes from.
+void meet_touched(const Snapshot& scene, const Vec3& d, Encounter& e) {
+  static const PerThread<std::vector<Hit>> kept;
+  std::vector<Hit>& hits = kept.get();
+  hits.clear();
+  const Vec3 across = dot(d, e.surface.ng) < 0 ? -e.surface.ng : e.surface.ng;
+  const float reach = 2 * e.surface.error;  // as ray_origin() leaves the surface
+  scene.raytracer->intersect_all(e.surface.p - across * reach, across, 2 * reach, hits);
+  for (const Hit& hit : hits) {
+    if (!stops_light(scene, hit.instance)) continue;
+    const SurfacePoint touched = scene.raytracer->surface_at(hit);
+    if (hit.t < reach - touched.error) continue;
+    e.surface = touched;
+    return;
   }
 }
 
@@ -234,6 +254,7 @@ void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack&
     out.surface = scene.raytracer->surface_at(hit);
     const bool crossed = scene.panes.is_crossed(hit.instance);
     if (crossed && goes_through(scene, d, u, panes_show_nothing, out)) continue;
+    if (scene.panes.is_touched_glass(hit.instance)) meet_touched(scene, d, out);
     if (!scene.media.nest) return find_sides(scene, d, out);
     find_nested_sides(scene, d, out);
     if (crossed || !is_without_effect(scene, out)) return;

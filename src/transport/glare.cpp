@@ -16,6 +16,7 @@ namespace {
 constexpr int few_rays = 8, many_rays = 16;  // along either side of an emitter's square
 constexpr size_t most_parts = 1024;           // of a surface
 constexpr double least_covered = 0.05;        // of a source's light
+constexpr double most_at_once = 0.25;         // a surface's radius over its distance, to be rated by its centre alone
 constexpr double rule_of_three = 3;           // where so many hits are expected there is one, with 95 %
 
 // Light of an emitter that arrives at the eye from places of it, each weighed by its light.
@@ -39,8 +40,15 @@ struct Eye {
         meter(s.meter_sets[o.meter_set].meters[0]),
         media(s.media_stacks[s.media_of_meter[o.meter_set][0]]) {}
 
+  // Of a place in view, 1 / p^2; elsewhere 0.
+  double weight_of(const Vec3& direction) const {
+    const double index = index_of(direction);
+    return index > 0 ? 1 / (index * index) : 0;
+  }
+
   // From one place in each of side * side cells, by chance within it: things in rows would hide all places or none.
-  Look look_at(const GlareParts::Part& source, int side) const {
+  // by_place: light counts by how much it troubles there.
+  Look look_at(const GlareParts::Part& source, int side, bool by_place = false) const {
     const Emitter& emitter = *source.emitter;
     Look out;
     WorkCounts work;
@@ -53,7 +61,8 @@ struct Eye {
       const auto random = philox({source.index, uint32_t(i), uint32_t(side), source.number}, {0, 0});
       const Vec2 u{place(i % side, random[0]), place(i / side, random[1])};
       if (!emitter.sample_direct(meter.p, u, s) || !is_finite(s.weight)) continue;
-      const double light = luminance(s.weight);
+      const double share = by_place ? weight_of(s.wi) : 1, light = share * luminance(s.weight);
+      if (!(light > 0)) continue;
       out.light += light;
       out.squares += light * light;
       Passage way;
@@ -62,7 +71,7 @@ struct Eye {
         continue;
       }
       out.visible += light;
-      out.arriving += luminance(s.weight * attenuation_ahead(scene, media, s.distance) * way.transmittance);
+      out.arriving += share * luminance(s.weight * attenuation_ahead(scene, media, s.distance) * way.transmittance);
     }
     return out;
   }
@@ -93,8 +102,12 @@ struct Eye {
   void rate(const GlareParts::Part& source, SeenSource& out) const {
     Sight sight;
     if (!source.emitter->seen_from(meter.p, sight)) return;
-    out.glare.position_index = index_of(sight.direction);
-    if (out.glare.position_index < 0) return;
+    const auto* surface = dynamic_cast<const AreaEmitter*>(source.emitter);
+    out.by_place = surface && double(surface->radius()) > most_at_once * sight.distance;
+    const double weight = out.by_place ? surface->mean_over(meter.p, [&](const Vec3& d) { return weight_of(d); })
+                                       : weight_of(sight.direction);
+    if (!(weight > 0)) return;
+    out.glare.position_index = 1 / std::sqrt(weight);
     const double area = sight.solid_angle_sr * sight.distance * sight.distance;
     out.emitter = source.index;
     out.direction = sight.direction;
@@ -111,8 +124,8 @@ struct Eye {
   void look_for(double worst, const GlareParts::Part& of, SeenSource& source) const {
     const bool is_point = of.emitter->is_delta();
     int side = is_point ? 1 : 4 * source.term >= worst ? many_rays : few_rays;
-    Look look = look_at(of, side);
-    if (!is_point && look.share() > 0 && look.share() < 1) look = look_at(of, side = many_rays);
+    Look look = look_at(of, side, source.by_place);
+    if (!is_point && look.share() > 0 && look.share() < 1) look = look_at(of, side = many_rays, source.by_place);
     source.is_covered = look.covered > least_covered * look.light;
     const double share = look.share(), power = source.glare.is_small ? 2 : 1;
     const double missed = is_point ? 0 : -std::expm1(-rule_of_three / look.rays());  // a share

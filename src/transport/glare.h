@@ -16,6 +16,7 @@ struct SeenSource {
   double largest_sr = 0;     // of one of its parts, which stand apart, before anything hides it
   double term = 0;           // L^2 w / p^2
   double term_error = 0;     // standard error of it, by the rays that look for what hides it
+  bool by_place = false;     // stretches so far that each piece counts by its place in view
   bool is_covered = false;   // by what lets light through and is no pane
   double missed = 0;         // 95 %: what a term of 0 may be all the same, what one that nothing hides may lack
 };

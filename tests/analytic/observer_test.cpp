@@ -266,6 +266,54 @@ TEST(Observer, PanelsOfOneMeshAreRatedEachByItsPlace) {
   EXPECT_GT(readings[0].ugr, 15);
 }
 
+// A line of light along the ceiling, above and behind the eye too, is rated by its pieces: L^2 w / p^2 summed over 1 cm
+// each (before: by its centre, which is overhead where it troubles nobody, so that nothing was in view). Panels that
+// stand 0.6 m apart are several (before: one by all their centre).
+TEST(Observer, WhatStretchesOverTheEyeIsRatedByItsPieces) {
+  const double eye_z = 1.2, z = 2.8, luminance = 3000, width = 0.1;
+  Scene scene;
+  scene.add(box({-3, -6, 0}, {3, 6, 3}).flipped(), matte(0.5));
+  scene.add(quad({-width / 2, -5, z}, {0, 10, 0}, {width, 0, 0}), emitter(luminance));
+  const Sensor eye = scene.add_observer({0, 0, eye_z}, {0, 1, 0}),
+               end = scene.add_observer({0, -4.9, eye_z}, {0, 1, 0});
+  const Result result = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 128});
+  for (const auto& [observer, from, to] : {std::tuple(eye, -5.0, 5.0), std::tuple(end, -0.1, 9.9)}) {
+    const ups_observer_reading r = result.observer(observer);
+    EXPECT_EQ(r.flags & UPS_OBSERVER_NO_SOURCE, 0u);
+    double sum = 0;
+    const double step = 0.01, up = z - eye_z;
+    for (double y = from + step / 2; y < to; y += step) {
+      const double d2 = y * y + up * up;
+      const float direction[3] = {0, float(up / std::sqrt(d2)), float(-y / std::sqrt(d2))};
+      float index;
+      ASSERT_EQ(ups_glare_get_position_index(UPS_POSITION_INDEX_TABLE, direction, 1, &index), UPS_OK);
+      if (index > 0) sum += luminance * luminance * width * step * up / std::pow(d2, 1.5) / double(index * index);
+    }
+    EXPECT_NEAR(r.ugr, 8 * std::log10(0.25 / double(r.background_cd_m2) * sum), 0.1);
+  }
+}
+
+TEST(Observer, PanelsOfOneMeshThatStandApartAreSeveral) {
+  std::vector<double> ugr;
+  for (const bool joined : {false, true}) {
+    Scene scene;
+    scene.add(box({-3, -6, 0}, {3, 6, 3}).flipped(), matte(0.5));
+    Shape all;
+    for (const double y : {-3.0, -1.8, -0.6, 0.6, 1.8, 3.0}) {
+      const Shape panel = quad({-0.3, y - 0.3, 2.99}, {0, 0.6, 0}, {0.6, 0, 0});
+      if (joined) all.append(panel);
+      else scene.add(panel, emitter(3000));
+    }
+    if (joined) scene.add(all, emitter(3000));
+    const Sensor eye = scene.add_observer({0, 0, 1.2}, {0, 1, 0});
+    const ups_observer_reading r =
+        scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 256}).observer(eye);
+    ugr.push_back(double(r.ugr) + 8 * std::log10(double(r.background_cd_m2)));  // but for the background's noise
+    EXPECT_EQ(r.flags, 0u) << joined;
+  }
+  EXPECT_NEAR(ugr[1], ugr[0], 1e-3);
+}
+
 // Tiles of 1 cm, 2 cm apart, are one board, which is not small.
 TEST(Observer, TilesThatStandCloseAreOneSource) {
   Scene scene;

@@ -293,6 +293,22 @@ TEST(SceneWarnings, ThinTrianglesHaveAnArea) {
   EXPECT_EQ(scene_warnings(scene), "");
 }
 
+// Before: the mean of the texture's corners was taken without a word.
+TEST(SceneWarnings, TexturesOfAMeshWithoutUvs) {
+  const auto told = [](uint32_t side, bool uvs) {
+    Room room;
+    auto m = matte(1);
+    m.reflectance_texture = room.scene.add_texture(side, 1, std::vector<float>(3 * side, 0.4f));
+    Shape tile = quad({1, 1, 1}, {1, 0, 0}, {0, 1, 0});
+    if (uvs) tile.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    room.add(tile, m);
+    return room.warnings();
+  };
+  EXPECT_TRUE(tells(told(2, false), {"instance", "textures", "no uvs"}));
+  EXPECT_EQ(told(2, true), "");
+  EXPECT_EQ(told(1, false), "");
+}
+
 TEST(SceneWarnings, TransmittanceAboveThatOfAClearPane) {
   const auto told = [](double transmittance) {
     Room room;

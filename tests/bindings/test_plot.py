@@ -81,6 +81,10 @@ def test_a_polar_diagram_has_the_intensities(context):
     assert [at[g] for g in (-60, -30, 0, 30, 60)] == pytest.approx([5, 40, 100, 80, 20], rel=1e-4)
     per_klm = ups.plot.polar(profile, [0], per_klm=True).lines[0].get_ydata()
     assert per_klm.max() == pytest.approx(100 * 1000 / profile.info.flux_lm, rel=1e-4)
+    # Of the lamps' flux, as in data sheets (before: of the luminaire's).
+    ies = b"IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n1 2000 1 3 1 1 2 0 0 0\n1 1 9\n0 45 90\n0\n300 200 0\n"
+    lamps = ups.plot.polar(ups.Profile.parse(context, ies), [0], per_klm=True).lines[0].get_ydata()
+    assert lamps.max() == pytest.approx(150, rel=1e-4)
 
 
 def test_convergence_has_every_look(context):

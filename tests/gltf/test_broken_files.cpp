@@ -277,9 +277,31 @@ TEST_F(BrokenFile, BadNodeTransforms) {
     builder.doc["nodes"][0][key] = value;
     expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", key});
   }
+  // tinygltf takes what is no array of numbers for left out (before: a model in mm stayed a thousand times as large).
+  for (const auto& [key, value] : std::initializer_list<std::pair<const char*, json>>{
+           {"scale", 0.001}, {"translation", json::array({"1", 2, 3})}, {"rotation", "none"}, {"matrix", {{"a", 1}}}}) {
+    SceneBuilder builder = square();
+    builder.doc["nodes"][0][key] = value;
+    expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", key, "must be an array"});
+  }
   SceneBuilder builder = square();
   builder.doc["nodes"][0]["scale"] = {1e200, 1e200, 1e200};
   expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", "1e+99"});
+}
+
+TEST_F(BrokenFile, MembersOfTheWrongKind) {
+  SceneBuilder builder = square();
+  builder.doc["accessors"][0]["normalized"] = 1;
+  expect_failure(builder, UPS_ERROR_PARSE, {"accessor 0", "normalized", "true or false"});
+  builder = square();
+  builder.doc["meshes"][0]["primitives"][0]["mode"] = "5";
+  expect_failure(builder, UPS_ERROR_PARSE, {"primitive 0", "mode", "whole number"});
+  builder = square();
+  builder.doc["scene"] = "1";
+  expect_failure(builder, UPS_ERROR_PARSE, {"scene", "whole number"});
+  builder = square();
+  builder.doc["scenes"][0]["nodes"] = 0;
+  expect_failure(builder, UPS_ERROR_PARSE, {"scene 0", "nodes", "array"});
 }
 
 TEST_F(BrokenFile, MembersOfTheWrongLengthOrMissing) {

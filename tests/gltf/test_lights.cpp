@@ -51,6 +51,32 @@ TEST_F(GoodFile, SpotsMayHaveSharpEdges) {
   EXPECT_FLOAT_EQ(scene.lights[1].outer_cone_rad, float(wide));
 }
 
+// A room that is mirrored with all that is in it: C0 points where its mirror image does, as in the C API (before: the
+// other way). The node's own scale is ignored.
+TEST_F(GoodFile, WhatMirrorsMirrorsTheLight) {
+  SceneBuilder builder;
+  write("lamp.ies", "table");
+  const json luminaire = {{"luminaire", {{"file", "lamp.ies"}}}},
+             grid = {{"meters", {{"points_m", json::array({{1, 2, 0}})}, {"normals", json::array({{0, 0, 1}})}}}};
+  const json up = {-0.7071067811865476, 0, 0, 0.7071067811865476};  // local +Z is world +Z
+  builder.add_node({{"scale", {1, 1, -1}}, {"children", {1, 2}}});
+  builder.doc["nodes"].push_back({{"rotation", up}, {"extras", {{"ups", luminaire}}}});
+  builder.doc["nodes"].push_back({{"rotation", up}, {"extras", {{"ups", grid}}}});
+  builder.add_node({{"rotation", up}, {"scale", {1, -1, 1}}, {"extras", {{"ups", luminaire}}}});
+  import(builder);
+  ASSERT_EQ(scene.luminaires.size(), 2u);
+  const auto direction = [&](size_t i, double x, double y) {
+    return point(scene.luminaires[i].desc.to_world, x, y, 0);
+  };
+  expect_near(direction(0, 1, 0), {1, 0, 0});
+  expect_near(direction(0, 0, 1), {0, -1, 0});
+  expect_near(direction(1, 1, 0), {1, 0, 0});
+  expect_near(direction(1, 0, 1), {0, 1, 0});
+  ASSERT_EQ(scene.meters.size(), 1u);
+  EXPECT_NEAR(scene.meters[0].positions[0], 1, 1e-6);
+  EXPECT_NEAR(scene.meters[0].positions[1], -2, 1e-6);
+}
+
 TEST_F(GoodFile, LuminairesTakeTheTiltFileBesideThem) {
   SceneBuilder builder;
   write("lamp.ies", "TILT=C:\\data\\HID.tlt");

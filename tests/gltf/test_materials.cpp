@@ -179,6 +179,24 @@ constexpr const char* png =
     "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAEUlEQVR4nGP4v4fhP4Px/wYAFTcEbTVrAQ0AAAAA"
     "SUVORK5CYII=";
 
+// Before: the texture was left out without a word, so that glass scattered as its factor alone says, which may be 1.
+TEST_F(MaterialTest, GlassKeepsItsRoughnessTexture) {
+  SceneBuilder builder;
+  builder.doc["images"] = json::array({{{"uri", png}}});
+  builder.doc["textures"] = json::array({{{"source", 0}}});
+  builder.add_square();
+  builder.doc["meshes"][0]["primitives"][0]["material"] = 0;
+  builder.add_node({{"mesh", 0}});
+  json glass = transmissive({{"KHR_materials_volume", {{"thicknessFactor", 0.01}}}}, 1);
+  glass["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+  builder.doc["materials"] = json::array({glass});
+  import(builder);
+  const ups_material_desc& d = scene.materials[0];
+  EXPECT_EQ(d.model, UPS_MATERIAL_GLASS);
+  EXPECT_NE(d.roughness_texture.v, 0u);
+  EXPECT_EQ(d.reflectance_texture.v, 0u);
+}
+
 TEST_F(MaterialTest, Textures) {
   SceneBuilder builder;
   builder.doc["images"] = json::array({{{"uri", png}}});

@@ -89,6 +89,23 @@ TEST(Ies, AsymmetricFileKeepsItsAxes) {
   }
 }
 
+// Of the year some programs write two digits, and ANSI/ before all (before: read as 1986, whose twelfth number is a
+// factor: 1.1 more light than there is, where it says how the file was made).
+TEST(Ies, ReadsYearsOfTwoDigits) {
+  const auto of = [](const std::string& version) {
+    return read_text(version + "\n[TEST] x\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1.1 9\n0 90\n0\n9 9\n");
+  };
+  const double flux = of("IES:LM-63-2019").distribution.band_flux_lm();
+  for (const char* version : {"IES:LM-63-19", "ANSI/IES LM-63-2019", "ANSI/IES LM-63-19", "IESNA:LM-63-02"}) {
+    const Photometry p = of(version);
+    EXPECT_EQ(p.format, std::string(version).ends_with("02") ? "IES LM-63-2002" : "IES LM-63-2019") << version;
+    if (p.format != "IES LM-63-2019") continue;
+    EXPECT_NEAR(p.distribution.band_flux_lm(), flux, 1e-9) << version;
+    EXPECT_TRUE(p.warnings.empty()) << version;
+  }
+  EXPECT_EQ(of("IESNA:LM-63-95").format, "IES LM-63-1995");
+}
+
 TEST(Ies, ReadsKeywordsInAnyEncoding) {
   const std::string street =
       "Stra\xC3\x9F"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "photometry/data_sheet.h"
 #include "photometry/files.h"
 
 namespace photometry {
@@ -228,6 +229,12 @@ TEST(Metrics, RatiosAreUnknownWithoutWhatTheyReferTo) {
   p.input_power_w = 4;
   EXPECT_NEAR(metrics_of(p).light_output_ratio, 0.5, 1e-12);
   EXPECT_NEAR(metrics_of(p).efficacy_lm_per_w, 10 * pi, 1e-9);
+  // An LED file that states one chip's flux (before: a ratio of 20, utilisation factors above 1).
+  p.rated_flux_lm = 2 * pi;
+  EXPECT_LT(metrics_of(p).light_output_ratio, 0);
+  EXPECT_LT(lamp_flux_lm(p), 0);
+  EXPECT_EQ(flux_code(p).n[4], 100);
+  EXPECT_LT(utilisation_factors(p).factor[0][0], 1);
 }
 
 Opening opening_of(OpeningShape shape, float x, float y, float z, int axis = 2) {

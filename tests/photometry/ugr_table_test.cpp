@@ -240,6 +240,14 @@ TEST(UgrTable, CrosswiseIsAcrossTheLongSide) {
     EXPECT_NEAR(as_ies.ugr[view][10][0], as_eulumdat.ugr[view][10][0], 0.05) << view;
 }
 
+// Where the opening does not tell, the format does: TM-33 has its length along C90, as EULUMDAT (before: as LM-63).
+TEST(UgrTable, OfASquareOpeningTheFormatTellsWhatIsAcross) {
+  Photometry p = panel([](double c, double g) { return lambertian(c, g) * (1 + 0.9 * std::cos(rad(2 * c))); }, 0.6, 0.6);
+  const auto crosswise = [&](const char* format) { return p.format = format, ugr_table(p).ugr[0][5][0]; };
+  EXPECT_EQ(crosswise("IES TM-33-18"), crosswise("EULUMDAT"));
+  EXPECT_GT(crosswise("EULUMDAT"), crosswise("IES LM-63-2002") + 3);
+}
+
 TEST(UgrTable, SaysWhereThereIsNoGlareAndNoOpening) {
   const UgrTable up = ugr_table(panel([](double, double g) { return g > 91 ? 500.0 : 0; }));
   EXPECT_EQ(up.ugr[0][0][0], UgrTable::no_glare);

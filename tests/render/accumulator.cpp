@@ -271,4 +271,25 @@ TEST(Accumulator, NothingEmitsIsExact) {
   EXPECT_EQ(sums.summarize().worst, 0);
 }
 
+// An image of which one pixel in a hundred has any light yet is as uncertain as these (before: as these and all that are
+// black, without an error, so that a target of a hundredth of their error was met).
+TEST(Accumulator, BlackPixelsMakeAnImageNoBetter) {
+  Snapshot scene;
+  add_lamp(scene);
+  scene.cameras.emplace_back(Affine(), 20, 10, 1.0f, false);
+  const Plan plan;
+  Accumulator sums(scene, plan);
+  IterationTally tally;
+  tally.pixels.assign(1, std::vector<Rgb>(200));
+  tally.splats.resize(1);
+  for (int i = 0; i < 64; ++i) {
+    for (const size_t lit : {31u, 77u}) tally.pixels[0][lit] = Rgb(i % 4 ? 1.0f : 3.0f);
+    sums.add(tally);
+  }
+  const ImageReading image = sums.read_image(0);
+  const double of_lit = double(image.error_bound[31]) / 1.5;
+  EXPECT_GT(of_lit, 0.1);
+  EXPECT_GE(sums.summarize().mean, 0.6 * of_lit) << "two lit pixels, and one for all that are black";
+}
+
 }  // namespace

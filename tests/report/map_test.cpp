@@ -304,6 +304,16 @@ TEST(MapData, OfALeaningLatticeIsNoGridOfRectangles) {
   EXPECT_EQ(columns_of(positions.data(), 20), 0u);
 }
 
+// 200 x 200 points, a gap of two steps in the middle (before: of so many points a whole row's shift was rounding).
+TEST(MapData, ManyPointsWithAGapAreNoGrid) {
+  for (const bool gap : {false, true}) {
+    std::vector<double> positions;
+    for (int r = 0; r < 200; ++r)
+      for (int c = 0; c < 200; ++c) positions.insert(positions.end(), {0.1 * c, 0.1 * (r + (gap && r > 99 ? 2 : 0)), 0});
+    EXPECT_EQ(columns_of(positions.data(), 40000), gap ? 0u : 200u);
+  }
+}
+
 TEST(MapData, OfAFisheyeIsOfItsImageCircle) {
   SensorInfo camera{};
   camera.width = camera.height = 20;

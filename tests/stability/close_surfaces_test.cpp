@@ -39,6 +39,43 @@ TEST(Taught, PanesOnWallsLetNothingThrough) {
       for (const bool pane_first : {true, false}) read(far_off, gap, pane_first);
 }
 
+// A block of glass that stands on a floor of a single sheet, its lower face in the floor's plane: in optical contact, as
+// one that is sunk into it by 20 um. Light that met the glass first started below the floor (before: all of it, or none,
+// by which was made first and how rounding went): lost above, and shining below. Both have the same paths, but for
+// rounding, so that they differ by less than their noise. Exactly 0 below.
+TEST(Taught, GlassThatStandsOnAFloorLetsNothingThrough) {
+  const auto read = [](double sunk, bool glass_first, double far_off, ups_method method) {
+    Scene scene;
+    const P3 o{far_off, 0, 0};
+    const auto block = [&] {
+      auto glass = material(UPS_MATERIAL_GLASS, 1);
+      glass.ior = 1.5f;
+      scene.add(box(o + P3{-0.5, -0.5, -sunk}, o + P3{0.5, 0.5, 0.2}), glass);
+    };
+    if (glass_first) block();
+    scene.add(quad(o + P3{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0.8));
+    if (!glass_first) block();
+    scene.add(quad(o + P3{-0.5, -0.5, 2}, {0, 1, 0}, {1, 0, 0}), emitter(1000));
+    scene.add(quad({-far_off - 1, 0, 0}, {0, 0, 1}, {0, 1, 0}), matte(0));  // the scene's middle stays where it is
+    const Sensor below = scene.add_cells({o + P3{0, 0, -0.5}}, {{0, 0, 1}}, {{1, 0, 0}}, 1, 1),
+                 above = scene.add_cells({o + P3{0, 0, 0.5}}, {{0, 0, -1}}, {{1, 0, 0}}, 0.5, 0.5);
+    const Result r =
+        scene.render({.method = method, .iterations = 32, .merge_radius_m = 0.05, .light_paths = 1u << 12});
+    EXPECT_EQ(r.readings(below)[0].illuminance_lx, 0) << sunk << ", " << method_name(method);
+    return r.readings(above)[0].illuminance_lx;
+  };
+  for (const double far_off : {0.0, 80.0})
+    for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_UPS}) {
+      const float sunk = read(2e-5 * (1 + far_off / 10), false, far_off, method);
+      EXPECT_GT(sunk, 90) << method_name(method);
+      for (const bool glass_first : {true, false}) {
+        const float on = read(0, glass_first, far_off, method);
+        measured("%g m off, %s: %+.2f %%", far_off, method_name(method), 100 * (double(on / sunk) - 1));
+        EXPECT_NEAR(on / sunk, 1, 0.01) << far_off << " m off, " << method_name(method);
+      }
+    }
+}
+
 // A luminaire mounted below a floor of a single sheet, of which 30 % shine up: its opening's upper face lies in the
 // sheet, and what leaves it started above (before: some 170 lx in the room above).
 TEST(Taught, OpeningsUnderAFloorLightNothingAbove) {

@@ -132,6 +132,37 @@ class Maps(test_program.ProgramTest):
         self.run_program("map", grid, drawing, "--map-threshold", 3)
         self.assertRegex(self.svg("view.svg")[1], r"Of 8 values, 3 lx is .*met at ")
 
+    def test_a_fisheye_is_of_its_image_circle(self):
+        """The render's own drawing and that of its file are the same (before: the black corners counted as dark)."""
+        room = test_program.room()
+        room["nodes"][4]["extras"]["ups"].update(width=24, height=24, projection="equidistant")
+        out = self.path("out")
+        self.run_program("render", self.write("room.gltf", room), "--iterations", 16, "--out", out)
+        self.run_program("map", os.path.join(out, "view.exr"), self.path("view.svg"), "--title", "view")
+        self.assertEqual(self.read("view.svg"), self.read("out/view_luminance.svg"))
+        self.run_program("map", os.path.join(out, "view.exr"), self.path("view.svg"), "--title", "view",
+                         "--illuminance")
+        self.assertEqual(self.read("view.svg"), self.read("out/view_illuminance.svg"))
+
+    def test_the_mean_of_a_surface_is_by_area(self):
+        """As the program tells it of a render; of points it is by their number."""
+        rows = [(0, 0, 0, 100, 2, 10)] + [(1 + 0.1 * i, i % 2, 0, 500, 2, 0.005) for i in range(9)]
+        lines = table([row[:5] for row in rows]).splitlines()
+        by_area = [lines[0] + ",triangle,area_m2"] + [f"{line},{i},{row[5]}"
+                                                      for i, (line, row) in enumerate(zip(lines[1:], rows))]
+        for text, mean, uniformity in (("\n".join(by_area), "mean 101.8 lx", "U0 0.982"),
+                                       ("\n".join(lines), "mean 460 lx", "U0 0.217")):
+            self.run_program("map", self.write("floor.csv", text), self.path("floor.svg"))
+            told = self.svg("floor.svg")[1]
+            self.assertIn(mean, told)
+            self.assertIn(uniformity, told)
+
+    def test_vectors_are_told_as_such(self):
+        lines = table([(x, y, 0, 100, 2) for y in range(3) for x in range(3)]).splitlines()
+        text = "\n".join([lines[0] + ",vector_x_lx"] + [line + ",50" for line in lines[1:]])
+        self.run_program("map", self.write("vectors.csv", text), self.path("vectors.svg"))
+        self.assertEqual(self.svg("vectors.svg")[0], "Length of the light vector: vectors")
+
     def test_errors(self):
         file = self.grid()
         out = self.path("x.svg")

@@ -314,6 +314,28 @@ class Targets(ReportTest):
         self.assertEqual(new[1].replace(" in the scene", ""),
                          old[1].replace(" in the scene, new, without the maintenance factor", ""))
 
+    def test_a_fixture_shines_new_whatever_the_maintenance(self):
+        """Its emitter and a luminaire have the maintenance factor in the scene, a light has none (before: 800 lm)."""
+        import test_goniometer
+        scene = lamp_room()
+        scene["scenes"][0]["extras"] = {"ups": {"maintenance_factor": 0.8}}
+        scene["scenes"][0]["nodes"].append(len(scene["nodes"]))
+        scene["nodes"].append({"name": "downlight", "rotation": test_program.UP, "translation": [0, 2.5, 0],
+                               "extras": test_goniometer.fixture()})
+        words = Page(self.report("--iterations", 16, scene=scene)[0]).words()
+        self.assertRegex(words, r"emitter of a fixture.*? ?1 ?1000 ?1000")
+        self.assertIn("2 light sources", words)
+
+    def test_a_dimmed_luminaires_peak_is_dimmed(self):
+        def peak(dimming):
+            scene = lamp_room()
+            scene["nodes"][1]["extras"]["ups"]["luminaire"]["dimming"] = dimming
+            words = Page(self.report("--iterations", 16, scene=scene)[0]).words()
+            return float(re.search(r"Peak ([\d.]+) cd", words).group(1)), "0.5 of what its file says" in words
+        (whole, told), (half, told_of_half) = peak(1), peak(0.5)
+        self.assertAlmostEqual(half / whole, 0.5, delta=0.001)
+        self.assertEqual((told, told_of_half), (False, True))
+
     def test_what_is_wrong_with_a_file(self):
         area = {"meters": "work_plane", "mean_lx": 100}
         for content, words in (

@@ -1550,7 +1550,7 @@ class SceneSource(Structure):
     id: int
     group: int
     light_kind: int
-    reserved: int
+    maintained: int
     flux_lm: float
     to_world: Array[c_double]
     bounds_min_m: Array[c_double]
@@ -1561,7 +1561,7 @@ class SceneSource(Structure):
         ("id", c_uint32),
         ("group", c_uint32),
         ("light_kind", c_int32),
-        ("reserved", c_uint32),
+        ("maintained", c_uint32),
         ("flux_lm", c_double),
         ("to_world", c_double * 12),
         ("bounds_min_m", c_double * 3),

@@ -131,11 +131,13 @@ def plan(scene: Scene, height_m: float, ax: Axes | None = None) -> Axes:
 
 def polar(profile: Profile, planes_deg: Sequence[float] = (0, 90), per_klm: bool = False,
           ax: Axes | None = None) -> Axes:
-    """Luminous intensity in each plane C / C + 180 over gamma, 0 downwards, C to the right. per_klm: of 1000 lm. An
-    `ax` of the caller's must be polar."""
+    """Luminous intensity in each plane C / C + 180 over gamma, 0 downwards, C to the right. per_klm: of 1000 lm of
+    the lamps, of what comes without any (absolute photometry) of its own light. An `ax` of the caller's must be
+    polar."""
     ax = _axes(ax, projection="polar")
     gamma = np.radians(np.linspace(-180, 180, 721))
-    factor = 1000 / profile.info.flux_lm if per_klm else 1
+    info = profile.info
+    factor = 1000 / (info.rated_flux_lm if info.rated_flux_lm > 0 else info.flux_lm) if per_klm else 1
     for c_deg in planes_deg:
         c = np.radians(c_deg)
         directions = np.column_stack([np.sin(gamma) * np.cos(c), np.sin(gamma) * np.sin(c), -np.cos(gamma)])

@@ -119,6 +119,7 @@ void check_primitives(const JsonReader& root) {
       const JsonReader primitive(primitives[i], mesh.where() + ", primitive " + std::to_string(i));
       check_index(primitive, "indices", root, "accessors");
       check_index(primitive, "material", root, "materials");
+      primitive.integer("mode", 4, 0, 6);
       const auto attributes = primitive.object("attributes");
       if (!attributes) primitive.fail("attributes", "is missing");
       for (const auto& [name, value] : primitives[i].find("attributes")->members) {
@@ -142,6 +143,7 @@ void check_arrays(const JsonReader& root) {
     accessor.integer("byteOffset", 0, 0, max_integer);
     require(accessor, "componentType");
     require(accessor, "count");
+    accessor.boolean("normalized", false);
     accessor.integer("count", 1, 1, max_integer);
     if (const auto sparse = accessor.object("sparse")) check_sparse(*sparse, root);
   });
@@ -149,7 +151,11 @@ void check_arrays(const JsonReader& root) {
     check_index(node, "mesh", root, "meshes");
     check_index(node, "camera", root, "cameras");
     check_children(node, root);
+    for (const auto& [key, count] : {std::pair("translation", 3), {"rotation", 4}, {"scale", 3}, {"matrix", 16}})
+      node.numbers(key, size_t(count), -unlimited, unlimited);
   });
+  root.integer("scene", 0, 0, max_integer);
+  for_each(root, "scenes", "scene", [&](const JsonReader& scene, size_t) { scene.array("nodes"); });
   for_each(root, "materials", "material",
            [&](const JsonReader& material, size_t) { material.numbers("emissiveFactor", 3, 0, unlimited); });
   for_each(root, "images", "image",

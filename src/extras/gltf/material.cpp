@@ -108,7 +108,7 @@ void Importer::read_transmission(const JsonReader& material, ups_material_desc& 
   if (pbr.number("metallicFactor", 1, 0, 1) > 0) skipped("metallicFactor is skipped, as the material transmits");
   if (desc.reflectance_texture.v != 0) skipped("baseColorTexture does not tint what is transmitted");
   const float roughness = desc.roughness;
-  const ups_texture_id none{};
+  const ups_texture_id of_roughness = desc.roughness_texture, none{};
   desc.reflectance_texture = desc.roughness_texture = desc.metallic_texture = none;
   desc.metallic = desc.roughness = 0;
 
@@ -117,6 +117,7 @@ void Importer::read_transmission(const JsonReader& material, ups_material_desc& 
   if (volume && volume->number("thicknessFactor", 0, 0, unlimited) > 0) {
     desc.model = UPS_MATERIAL_GLASS;
     desc.roughness = roughness;
+    desc.roughness_texture = of_roughness;
     if (volume->has("thicknessTexture")) skipped("thicknessTexture is skipped: the mesh is the solid");
     if (color != Rgb{1, 1, 1}) skipped("glass takes its colour from attenuationColor, baseColorFactor is skipped");
     if (factor < 1) skipped("transmissionFactor is skipped: glass transmits what its surface does not reflect");

@@ -116,16 +116,19 @@ void Importer::read_node(int index, const Affine& parent) {
     return;
 
   bool scaled = false;
-  const Affine frame = without_scale(parent * local.unscaled, scaled, where);
+  const Affine whole = parent * local.unscaled, frame = without_scale(whole, scaled, where),
+               of_light = with_mirror_of(whole, frame);
   if (scaled || !is_unit(source.scale))
     warn(where + ": its scale is ignored for meters, goniometers, observers, luminaires, fixtures, lights and cameras");
   if (source.camera >= 0) add_camera(node, source.camera, frame);
-  if (has_punctual) add_punctual_light(node, frame);
-  if (has_ies) add_ies_light(node, frame);
-  if (luminaire) add_luminaire(*luminaire, frame);
+  if (has_punctual) add_punctual_light(node, of_light);
+  if (has_ies) add_ies_light(node, of_light);
+  if (luminaire) add_luminaire(*luminaire, of_light);
+  if (fixture && determinant(whole) < 0)
+    warn(where + ": a node above it mirrors, which a fixture cannot be: it stands as if turned about its axis");
   if (fixture) add_fixture(*fixture, frame);
-  if (meters) add_meters(*meters, source.name, frame);
-  if (goniometer) add_goniometer(*goniometer, source.name, frame);
+  if (meters) add_meters(*meters, source.name, of_light);
+  if (goniometer) add_goniometer(*goniometer, source.name, of_light);
   if (observer) add_observer(*observer, source.name, frame);
 }
 

@@ -123,4 +123,9 @@ Affine without_scale(const Affine& a, bool& was_scaled, const std::string& where
   return result;
 }
 
+Affine with_mirror_of(const Affine& a, Affine frame) {
+  if (determinant(a) < 0) frame.set_column(0, scaled(frame.column(0), -1));
+  return frame;
+}
+
 }  // namespace ups::gltf

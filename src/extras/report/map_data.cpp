@@ -196,15 +196,19 @@ std::optional<MapData> meter_map(const SensorEntry& meters, const LitScene& scen
   }
   std::optional<MapData> data = meter_map(meters.name, points, meters.info.columns, &scene);
   if (!data) return data;
-  static constexpr const char* quantities[] = {"Illuminance",           "Cylindrical illuminance",
-                                               "Semicylindrical illuminance", "Hemispherical illuminance",
-                                               "Spherical illuminance", "Length of the light vector"};
-  data->quantity = quantities[meters.info.meter_kind];
+  data->quantity = quantity_of(meters.info.meter_kind);
   auto s = sized<ups_meter_statistics>();
   check(ups_result_get_meter_statistics(result, meters.info.sensor, &s));
   data->summary =
       summary_text(s.mean_lx, s.mean_error_bound_lx, s.min_lx, s.max_lx, s.worst_relative_error_bound, "lx");
   return data;
+}
+
+const char* quantity_of(ups_meter_kind kind) {
+  static constexpr const char* quantities[] = {"Illuminance",           "Cylindrical illuminance",
+                                               "Semicylindrical illuminance", "Hemispherical illuminance",
+                                               "Spherical illuminance", "Length of the light vector"};
+  return quantities[kind];
 }
 
 uint32_t columns_of(const double* positions_m, size_t count) {
@@ -214,9 +218,9 @@ uint32_t columns_of(const double* positions_m, size_t count) {
     return Vector{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   };
   const Vector step = between_points(0, 1);
-  const double tiny = 1e-4 * length(step);
+  const double tiny = 1e-4 * length(step) * double(std::min<size_t>(count, 1000));  // at most a tenth of a step
   const auto differ = [&](const Vector& a, const Vector& b) {
-    return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]}) > tiny * double(count);
+    return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]}) > tiny;
   };
   size_t columns = 2;
   while (columns < count && length(between_points(columns - 1, columns)) < 1.5 * length(step) &&
@@ -245,7 +249,8 @@ std::vector<float> within_image(const SensorInfo& camera, std::vector<float> val
 }
 
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
-                  const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows) {
+                  const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows,
+                  const std::vector<float>& weights) {
   MapData data;
   data.title = name;
   data.quantity = quantity;
@@ -253,9 +258,11 @@ MapData image_map(const std::string& name, const std::string& quantity, const st
   data.is_image = true;
   const auto is_good = [](float value) { return std::isfinite(value) && value >= 0; };
   double sum = 0, good = 0, least = INFINITY, most = 0;
-  for (const float value : values) {
+  for (size_t i = 0; i < values.size(); ++i) {
+    const float value = values[i];
     if (!is_good(value)) continue;
-    sum += double(value), ++good;
+    const double weight = weights.empty() ? 1 : double(weights[i]);
+    sum += weight * double(value), good += weight;
     least = std::min(least, double(value)), most = std::max(most, double(value));
   }
   // Of a large one blocks of pixels: more than the drawing's own could not be seen.
@@ -297,10 +304,12 @@ std::vector<float> luminance_of(const std::vector<float>& rgb) {
 
 std::string summary_of(const std::vector<MeterPoint>& points) {
   const auto is_known = [](const MeterPoint& p) { return std::isfinite(p.illuminance_lx) && p.illuminance_lx >= 0; };
+  const bool by_area = std::any_of(points.begin(), points.end(), [](const MeterPoint& p) { return p.area_m2 > 0; });
   double sum = 0, known = 0, min = INFINITY, max = -INFINITY, worst = 0;
   for (const MeterPoint& p : points) {
     if (!is_known(p)) continue;
-    sum += p.illuminance_lx, ++known;
+    const double weight = by_area ? p.area_m2 : 1;
+    sum += weight * p.illuminance_lx, known += weight;
     min = std::min(min, p.illuminance_lx), max = std::max(max, p.illuminance_lx);
   }
   if (known == 0) return "no value is known";

@@ -11,6 +11,7 @@ namespace ups::report {
 struct MeterPoint {
   double position_m[3], normal[3];
   double illuminance_lx, error_bound_lx;
+  double area_m2 = 0;  // its weight in the mean; 0 of all: they are alike
 };
 
 // Of points in one plane, seen against its normal; nothing where they lie in none, or on one line, or are more than
@@ -25,9 +26,12 @@ uint32_t columns_of(const double* positions_m, size_t count);
 
 // Of a fisheye's pixels, one value each, those outside of its image circle become unknown: no light is measured there.
 std::vector<float> within_image(const SensorInfo& camera, std::vector<float> values);
-// values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at the top.
+// values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at the top. weights: in the
+// mean, areas of a lightmap's texels; none: all alike.
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
-                  const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows);
+                  const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows,
+                  const std::vector<float>& weights = {});
+const char* quantity_of(ups_meter_kind kind);  // that its meters read
 MapStyle of_luminance(MapStyle style);  // with the threshold of luminances
 std::vector<float> luminance_of(const std::vector<float>& rgb);
 

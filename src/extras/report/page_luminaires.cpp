@@ -15,7 +15,7 @@ constexpr size_t most_places = 80, most_diagrams = 12;
 
 std::string what_it_is(const ups_scene_source& s) {
   constexpr const char* lights[] = {"point light", "spot light", "directional light"};  // UPS_LIGHT_*
-  if (s.kind == UPS_SOURCE_INSTANCE) return "luminous surface";
+  if (s.kind == UPS_SOURCE_INSTANCE) return s.maintained ? "emitter of a fixture" : "luminous surface";
   return s.light_kind >= 0 ? lights[s.light_kind] : "luminaire";
 }
 
@@ -74,12 +74,16 @@ std::string keyword(const ProfileReport& report, const char* name) {
   return {};
 }
 
+double new_flux(const PlacedSource& source, const ups_scene_info& scene) {
+  return source.info.flux_lm / (source.info.maintained ? scene.maintenance_factor : 1);
+}
+
 // By which it shines more or less than its file says, new. What a render emits is the flux of the table as it is
 // interpolated, or of the rays of a file.
 double scale_of(const PlacedSource& source, const ups_scene_info& scene) {
   const ups_profile_info info = info_of(source);
   const double filed = info.ray_count > 0 ? info.flux_lm : info.interpolated_flux_lm;
-  return source.info.flux_lm / (filed * scene.maintenance_factor);
+  return new_flux(source, scene) / filed;
 }
 
 // "desk_1, desk_2, desk_3 and 5 more"
@@ -183,7 +187,10 @@ std::string polar(const LuminaireType& type, size_t number) {
   Drawing drawing{width, height, {}};
   draw_polar(drawing, {margin, margin, width - 2 * margin, height - 2 * margin}, profile, report);
   std::string caption = "<strong>Type " + std::to_string(number) + "</strong>: " + html_text(type.file) +
-                        ". Peak " + significant(double(report.info.peak_cd), 4) + " cd";
+                        ". Peak " + significant(type.scale * double(report.info.peak_cd), 4) + " cd";
+  if (std::abs(type.scale - 1) > 0.005)
+    caption += ", " + significant(type.scale, 3) + " of what its file says" +
+               (is_per_kilolumen(report) ? "" : ", which the diagram shows");
   std::string planes;
   constexpr const char* colours[] = {"blue, solid", "orange, dashed", "green, dotted"};
   const auto drawn = drawn_planes(report);
@@ -263,8 +270,9 @@ std::vector<LuminaireType> luminaire_types(const LitScene& scene) {
                       photometry = photometry_of(source);
     const auto [at, is_new] = known.try_emplace({photometry, format("%.4g", source.info.flux_lm)}, types.size());
     if (is_new) {
-      const double scale = source.profile ? scale_of(source, info_of(scene)) : 1;
-      const double flux = source.profile ? scale * info_of(source).flux_lm : source.info.flux_lm;
+      const ups_scene_info info = info_of(scene);
+      const double scale = source.profile ? scale_of(source, info) : 1;
+      const double flux = source.profile ? scale * info_of(source).flux_lm : new_flux(source, info);
       types.push_back({file, photometry, flux, scale, {}});
     }
     types[at->second].sources.push_back(std::move(source));

@@ -48,8 +48,10 @@ Section scene_section(const PageInput& in, const std::vector<LuminaireType>& typ
   size_t luminaires = 0, sets = 0, meters = 0, cameras = 0;
   const size_t observers = in.report.observers.size();
   double flux = 0;
+  bool others = false;  // lights, surfaces, of which a fixture may have many
   for (const LuminaireType& type : types) {
     luminaires += type.sources.size();
+    others = others || !type.sources[0].profile;
     flux += type.flux_lm * double(type.sources.size());
   }
   for (const SensorEntry& sensor : in.scene.sensors) {
@@ -57,15 +59,17 @@ Section scene_section(const PageInput& in, const std::vector<LuminaireType>& typ
     meters += sensor.info.kind == SensorKind::meters ? sensor.info.meter_count : 0;
     cameras += sensor.info.kind == SensorKind::camera;
   }
+  const std::string lights = others ? counted(luminaires, "light source", "light sources")
+                                    : counted(luminaires, "luminaire", "luminaires");
   std::string body = html_facts(
       {{"Size", html_text(size_text(info))},
-       {"Luminaires", counted(luminaires, "luminaire", "luminaires") + ", " + lux(flux) + " lm"},
+       {"Luminaires", lights + ", " + lux(flux) + " lm"},
        {"Meters", sets ? counted(meters, "point", "points") + " in " + counted(sets, "set", "sets") : ""},
        {"Observers", observers ? std::to_string(observers) : ""},
        {"Cameras", cameras ? std::to_string(cameras) : ""},
        {"Maintenance factor", info.maintenance_factor < 1 ? format("%.3g", info.maintenance_factor) : ""},
        {"Surfaces", counted(size_t(info.triangle_count), "triangle", "triangles")}});
-  const std::string words = counted(luminaires, "luminaire", "luminaires") + " and " +
+  const std::string words = lights + " and " +
                             counted(sets, "set of meters", "sets of meters") + " of a scene of " + size_text(info) +
                             ".";
   body += wide_figure(inline_svg(plan_drawing(in, types), "Plan of the scene", "Seen from above: " + words, "plan"),
