@@ -24,7 +24,7 @@ struct UgrTable {
       {0.7, 0.5, 0.2}, {0.7, 0.3, 0.2}, {0.5, 0.5, 0.2}, {0.5, 0.3, 0.2}, {0.3, 0.3, 0.2}};
 
   double ugr[views][rooms][reflectance_sets];  // crosswise, endwise; at lamp_flux_lm; no_glare: see there
-  double lamp_flux_lm;                         // that the file states, or of the luminaire where it states none
+  double lamp_flux_lm;                         // see metrics.h; of the luminaire where it states none
   // Where no luminaire that counts sends light to the eye.
   static constexpr double no_glare = -1;
 };

@@ -34,7 +34,8 @@ UPS_API ups_status ups_glare_get_ugr(const float *luminance_cd_m2, const float *
  * have, are lower by 8 log10(lamp_flux_lm / 1000). -1: no luminaire that counts sends light to the eye. */
 typedef struct ups_ugr_table {
   uint32_t struct_size;
-  float lamp_flux_lm;           /* that the file states; of absolute photometry the luminaire's flux */
+  float lamp_flux_lm;           /* that the file states; of absolute photometry, and where it states less
+                                 * than the luminaire's flux, that flux */
   float room_across_h[19], room_along_h[19];
   float reflectances[15];       /* ceiling, walls, floor of each of the 5 sets */
   float crosswise[95];          /* room * 5 + set */

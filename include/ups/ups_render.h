@@ -52,7 +52,8 @@ enum {
  * mean), a pixel's that of its luminance, from noise alone. */
 typedef int32_t ups_criterion;
 enum {
-  UPS_CRITERION_DEFAULT = 0, /* the worst meter; without meters the mean over pixels */
+  UPS_CRITERION_DEFAULT = 0, /* the worst meter; without meters the mean over pixels that light
+                              * has reached */
   UPS_CRITERION_WORST = 1,   /* of all meters, without meters of all pixels */
   UPS_CRITERION_P95 = 2,     /* 95 % of them are better */
   UPS_CRITERION_MEAN = 3,

@@ -244,7 +244,7 @@ double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 }
 
 struct Weighed {
-  double solid_angle = 0, sum = 0;
+  double solid_angle = 0, sum = 0, area = 0;
 };
 // A triangle about the eye in pieces: halves across its longest side until that is small beside its distance.
 void weigh_pieces(const Vec3d (&t)[3], bool both_sides, int depth, const std::function<double(const Vec3&)>& weight,
@@ -263,6 +263,7 @@ void weigh_pieces(const Vec3d (&t)[3], bool both_sides, int depth, const std::fu
     if (!(length2(center) > 0)) return;
     out.solid_angle += w;
     out.sum += w * weight(Vec3(normalize(center)));
+    out.area += w * length2(center);
     return;
   }
   const Vec3d &a = t[from], &b = t[(from + 1) % 3], &c = t[(from + 2) % 3], middle = (a + b) * 0.5;
@@ -272,12 +273,13 @@ void weigh_pieces(const Vec3d (&t)[3], bool both_sides, int depth, const std::fu
 
 }  // namespace
 
-double AreaEmitter::mean_over(const Vec3& eye, const std::function<double(const Vec3&)>& weight) const {
+AreaEmitter::Stretch AreaEmitter::stretch_over(const Vec3& eye,
+                                               const std::function<double(const Vec3&)>& weight) const {
   Weighed all;
   for (const EmitterTriangle& t : triangles_)
     weigh_pieces({Vec3d(t.p0) - Vec3d(eye), Vec3d(t.p1) - Vec3d(eye), Vec3d(t.p2) - Vec3d(eye)}, both_sides_, 0, weight,
                  all);
-  return all.solid_angle > 0 ? all.sum / all.solid_angle : 0;
+  return {all.solid_angle > 0 ? all.sum / all.solid_angle : 0, all.area};
 }
 
 bool AreaEmitter::seen_from(const Vec3& eye, Sight& out) const {

@@ -51,9 +51,12 @@ class AreaEmitter : public Emitter {
   // a quarter of the smaller one's size, and than 10 cm. Empty where all is one part, or more than `most` have no common
   // corner.
   std::vector<AreaEmitter> separate_parts(size_t most) const;
-  // Over the solid angle that the eye sees of it, the mean of a weight by direction from there. Pieces that are small
-  // beside their distance count by their centres.
-  double mean_over(const Vec3& eye, const std::function<double(const Vec3&)>& weight) const;
+  // As an eye sees it, in pieces that are small beside their distance and count by their centres: the mean over its solid
+  // angle of a weight by direction, and its area across the line of sight.
+  struct Stretch {
+    double weight = 0, area_m2 = 0;
+  };
+  Stretch stretch_over(const Vec3& eye, const std::function<double(const Vec3&)>& weight) const;
 
  private:
   struct Point {

@@ -139,6 +139,10 @@ SurfaceTexturing Builder::make_texturing(uint32_t number, const MaterialDescript
     t.alpha_mode = SurfaceTexturing::opaque;  // a boundary that is there for some light alone bounds nothing
     warn_of("material", number, "is of glass, which says itself what it lets through: its blended alpha is ignored");
   }
+  if (t.alpha_mode == SurfaceTexturing::blend && d.model == UPS_MATERIAL_GLAZING)
+    warn_of("material", number, "is a pane whose blended alpha (" + check::text(double(t.alpha_factor)) +
+            (t.alpha ? ", times a texture" : "") + ") lets the rest of the light by beside what the pane transmits; a "
+            "pane that is whole has an alpha of 1");
   return t;
 }
 

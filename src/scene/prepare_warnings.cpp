@@ -33,7 +33,7 @@ void Builder::warn_of_maintenance() {
        " initial flux");
 }
 
-// Of a texture one place stands for all then: the mean of its corners.
+// One place of a texture stands for all then, where its corners meet.
 void Builder::warn_of_missing_uvs() {
   for (size_t i = 0; i < out_->instances.size(); ++i) {
     const Raytracer::Instance& instance = out_->instances[i];
@@ -41,8 +41,9 @@ void Builder::warn_of_missing_uvs() {
     const Material& m = out_->materials[instance.material];
     const SurfaceTexturing& t = out_->texturing[instance.material];
     const auto varies = [](const Texture* texture) { return texture && texture->texel_count() > texture->channels(); };
+    const bool holes = t.alpha_mode != SurfaceTexturing::opaque && varies(t.alpha);
     if (varies(m.reflectance_texture) || varies(m.roughness_texture) || varies(m.metallic_texture) ||
-        varies(t.normal) || varies(t.alpha))
+        varies(t.normal) || holes)
       warn_of("instance", out_->instance_ids[i],
               "its material has textures, but its mesh no uvs, which say where they lie: one place of them is taken "
               "for all of it");

@@ -69,15 +69,27 @@ Face face_of(const Snapshot& scene, const SurfacePoint& s, const Vec3& d) {
   return {scene.media.of_instance[s.instance], scene.media.leaves(s.instance, d, s.ng)};
 }
 
-// The other faces that lie within rounding of the one at e.surface. The strongest solid's stands for all, whichever a
-// walk met, so that both walks of a path scatter at the same.
-void gather_faces(const Snapshot& scene, const Vec3& d, Encounter& e, std::vector<Face>& faces) {
+// All surfaces that lie within rounding of one, and the direction across it that a ray along d goes on: hits' t is
+// `reach` at the surface itself.
+struct Across {
+  Vec3 direction;
+  float reach;
+  const std::vector<Hit>& hits;  // until the thread's next
+};
+Across look_across(const Snapshot& scene, const SurfacePoint& s, const Vec3& d) {
   static const PerThread<std::vector<Hit>> kept;
   std::vector<Hit>& hits = kept.get();
   hits.clear();
-  const Vec3 across = dot(d, e.surface.ng) < 0 ? -e.surface.ng : e.surface.ng;
-  const float reach = 2 * e.surface.error;  // as ray_origin() leaves the surface
-  scene.raytracer->intersect_all(e.surface.p - across * reach, across, 2 * reach, hits);
+  const Vec3 across = dot(d, s.ng) < 0 ? -s.ng : s.ng;
+  const float reach = 2 * s.error;  // as ray_origin() leaves the surface
+  scene.raytracer->intersect_all(s.p - across * reach, across, 2 * reach, hits);
+  return {across, reach, hits};
+}
+
+// The other faces that lie within rounding of the one at e.surface. The strongest solid's stands for all, whichever a
+// walk met, so that both walks of a path scatter at the same.
+void gather_faces(const Snapshot& scene, const Vec3& d, Encounter& e, std::vector<Face>& faces) {
+  const auto& [across, reach, hits] = look_across(scene, e.surface, d);
   const SurfacePoint met = e.surface;
   uint32_t strongest = faces[0].medium;
   for (const Hit& hit : hits) {
@@ -94,20 +106,17 @@ void gather_faces(const Snapshot& scene, const Vec3& d, Encounter& e, std::vecto
 // What the glass at e.surface touches, and no light goes through, is met instead, whichever of the two rounding lets a
 // ray meet first: they are in optical contact, and a ray that goes on beyond the face would start behind it. Not what the
 // ray comes from.
-void meet_touched(const Snapshot& scene, const Vec3& d, Encounter& e) {
-  static const PerThread<std::vector<Hit>> kept;
-  std::vector<Hit>& hits = kept.get();
-  hits.clear();
-  const Vec3 across = dot(d, e.surface.ng) < 0 ? -e.surface.ng : e.surface.ng;
-  const float reach = 2 * e.surface.error;  // as ray_origin() leaves the surface
-  scene.raytracer->intersect_all(e.surface.p - across * reach, across, 2 * reach, hits);
-  for (const Hit& hit : hits) {
+bool meets_touched(const Snapshot& scene, const Vec3& d, Encounter& e) {
+  if (!scene.panes.is_touched_glass(e.surface.instance)) return false;
+  const Across across = look_across(scene, e.surface, d);
+  for (const Hit& hit : across.hits) {
     if (!stops_light(scene, hit.instance)) continue;
     const SurfacePoint touched = scene.raytracer->surface_at(hit);
-    if (hit.t < reach - touched.error) continue;
+    if (hit.t < across.reach - touched.error) continue;
     e.surface = touched;
-    return;
+    return true;
   }
+  return false;
 }
 
 // The media about e.surface, for a ray along d that ran in e.media until there; without other faces this is all where
@@ -254,7 +263,7 @@ void meet(const Snapshot& scene, const Vec3& o, const Vec3& d, const MediaStack&
     out.surface = scene.raytracer->surface_at(hit);
     const bool crossed = scene.panes.is_crossed(hit.instance);
     if (crossed && goes_through(scene, d, u, panes_show_nothing, out)) continue;
-    if (scene.panes.is_touched_glass(hit.instance)) meet_touched(scene, d, out);
+    meets_touched(scene, d, out);
     if (!scene.media.nest) return find_sides(scene, d, out);
     find_nested_sides(scene, d, out);
     if (crossed || !is_without_effect(scene, out)) return;
@@ -279,6 +288,7 @@ bool is_free_through(const Snapshot& scene, const MediaStack& media, const Vec3&
     const bool pane = scene.panes.is_crossed(hit.instance);
     if (!pane && !(nest && scene.media.of_instance[hit.instance] != none)) return false;
     e.surface = scene.raytracer->surface_at(hit);
+    if (!pane && meets_touched(scene, d, e)) return false;
     if (nest) find_nested_sides(scene, d, e);  // which changes nothing at a pane
     if (!pane && !is_without_effect(scene, e)) return false;
     if (nest) passage.transmittance *= attenuation(scene, e.media, distance - before);

@@ -104,18 +104,19 @@ struct Eye {
     if (!source.emitter->seen_from(meter.p, sight)) return;
     const auto* surface = dynamic_cast<const AreaEmitter*>(source.emitter);
     out.by_place = surface && double(surface->radius()) > most_at_once * sight.distance;
-    const double weight = out.by_place ? surface->mean_over(meter.p, [&](const Vec3& d) { return weight_of(d); })
-                                       : weight_of(sight.direction);
-    if (!(weight > 0)) return;
-    out.glare.position_index = 1 / std::sqrt(weight);
     const double area = sight.solid_angle_sr * sight.distance * sight.distance;
+    const AreaEmitter::Stretch seen =
+        out.by_place ? surface->stretch_over(meter.p, [&](const Vec3& d) { return weight_of(d); })
+                     : AreaEmitter::Stretch{weight_of(sight.direction), area};
+    if (!(seen.weight > 0)) return;
+    out.glare.position_index = 1 / std::sqrt(seen.weight);
     out.emitter = source.index;
     out.direction = sight.direction;
     out.glare.luminance_cd_m2 = area > 0 ? sight.intensity_cd / area : -1;
     out.glare.solid_angle_sr = out.largest_sr = sight.solid_angle_sr;
     out.glare.intensity_cd = sight.intensity_cd;
     out.glare.distance_m = sight.distance;
-    out.glare.is_small = area < photometry::small_source_m2;
+    out.glare.is_small = seen.area_m2 < photometry::small_source_m2;
     const double term = photometry::glare_term(out.glare);
     if (term > 0 && std::isfinite(term)) out.term = term;
   }

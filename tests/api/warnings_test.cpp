@@ -293,6 +293,20 @@ TEST(SceneWarnings, ThinTrianglesHaveAnArea) {
   EXPECT_EQ(scene_warnings(scene), "");
 }
 
+// As exported windows have it: the pane's transmittance is of what meets it.
+TEST(SceneWarnings, PanesWithABlendedAlpha) {
+  const auto told = [](float alpha) {
+    Room room;
+    auto pane = material(UPS_MATERIAL_GLAZING, 1);
+    pane.alpha_mode = UPS_ALPHA_BLEND;
+    pane.alpha = alpha;
+    room.add(quad({1, 1, 1}, {0, 0, 1}, {1, 0, 0}), pane);
+    return room.warnings();
+  };
+  EXPECT_TRUE(tells(told(0.25f), {"material 2", "blended alpha (0.25)", "alpha of 1"}));
+  EXPECT_EQ(told(1), "");
+}
+
 // Before: the mean of the texture's corners was taken without a word.
 TEST(SceneWarnings, TexturesOfAMeshWithoutUvs) {
   const auto told = [](uint32_t side, bool uvs) {

@@ -64,6 +64,8 @@ TEST_F(GoodFile, WhatMirrorsMirrorsTheLight) {
   builder.doc["nodes"].push_back({{"rotation", up}, {"extras", {{"ups", grid}}}});
   builder.add_node({{"rotation", up}, {"scale", {1, -1, 1}}, {"extras", {{"ups", luminaire}}}});
   import(builder);
+  EXPECT_FALSE(warned("node 1")) << "nothing is ignored";
+  EXPECT_TRUE(warned("its scale is ignored"));
   ASSERT_EQ(scene.luminaires.size(), 2u);
   const auto direction = [&](size_t i, double x, double y) {
     return point(scene.luminaires[i].desc.to_world, x, y, 0);

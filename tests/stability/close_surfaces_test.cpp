@@ -76,6 +76,35 @@ TEST(Taught, GlassThatStandsOnAFloorLetsNothingThrough) {
     }
 }
 
+// Haze (a solid of ior 1 that absorbs) down to a floor of a single sheet, which shadow rays cross: exactly 0 below.
+TEST(Taught, HazeThatFillsARoomLetsNothingThroughItsFloor) {
+  for (const double far_off : {0.0, 80.0})
+    for (const bool haze_first : {true, false}) {
+      Scene scene;
+      const P3 o{far_off, 0, 0};
+      const auto haze = [&] {
+        auto air = material(UPS_MATERIAL_GLASS, 1);
+        air.ior = 1;
+        std::fill(std::begin(air.absorption_per_m_rgb), std::end(air.absorption_per_m_rgb), 0.1f);
+        scene.add(box(o + P3{-1, -1, 0}, o + P3{1, 1, 3}), air);
+      };
+      if (haze_first) haze();
+      scene.add(quad(o + P3{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), matte(0.5));
+      if (!haze_first) haze();
+      scene.add(quad({-far_off - 1, 0, 0}, {0, 0, 1}, {0, 1, 0}), matte(0));
+      scene.add_point_light(o + P3{0.1, 0.2, 2}, 1000);
+      std::vector<P3> points;
+      for (int i = 0; i < 100; ++i) points.push_back(o + P3{0.17 * (i % 10) - 0.83, 0.17 * (i / 10) - 0.81, -0.5});
+      const Sensor below = scene.add_meters(points, {0, 0, 1}), above = scene.add_meters({o + P3{0, 0, 1}}, {0, 0, 1});
+      for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING}) {
+        const Result r = scene.render({.method = method, .iterations = 4});
+        for (const ups_meter_reading& m : r.readings(below))
+          EXPECT_EQ(m.illuminance_lx, 0) << far_off << " m off, " << method_name(method);
+        EXPECT_TRUE(method == UPS_METHOD_LIGHT_TRACING || r.readings(above)[0].direct_lx > 100) << method_name(method);
+      }
+    }
+}
+
 // A luminaire mounted below a floor of a single sheet, of which 30 % shine up: its opening's upper face lies in the
 // sheet, and what leaves it started above (before: some 170 lx in the room above).
 TEST(Taught, OpeningsUnderAFloorLightNothingAbove) {

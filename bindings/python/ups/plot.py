@@ -137,7 +137,7 @@ def polar(profile: Profile, planes_deg: Sequence[float] = (0, 90), per_klm: bool
     ax = _axes(ax, projection="polar")
     gamma = np.radians(np.linspace(-180, 180, 721))
     info = profile.info
-    factor = 1000 / (info.rated_flux_lm if info.rated_flux_lm > 0 else info.flux_lm) if per_klm else 1
+    factor = 1000 / (info.rated_flux_lm if info.light_output_ratio >= 0 else info.flux_lm) if per_klm else 1
     for c_deg in planes_deg:
         c = np.radians(c_deg)
         directions = np.column_stack([np.sin(gamma) * np.cos(c), np.sin(gamma) * np.sin(c), -np.cos(gamma)])

@@ -109,7 +109,7 @@ NodeTransform local_transform(const tinygltf::Node& node, const std::string& whe
 Affine without_scale(const Affine& a, bool& was_scaled, const std::string& where) {
   const double lengths[3] = {length(a.column(0)), length(a.column(1)), length(a.column(2))};
   Affine result = a;
-  was_scaled = !(determinant(a) > 0);
+  was_scaled = false;
   const Vector z = a.column(2);
   const Vector x = cross(a.column(1), z);
   if (!(lengths[2] > 0) || !(length(x) > 0)) fail(where, "its matrix has no direction: a scale of 0 or parallel axes");
@@ -118,7 +118,7 @@ Affine without_scale(const Affine& a, bool& was_scaled, const std::string& where
   result.set_column(1, cross(result.column(2), result.column(0)));
   for (int j = 0; j < 3; ++j) {
     was_scaled = was_scaled || std::abs(lengths[j] - 1) > scale_tolerance ||
-                 std::abs(dot(a.column(j), result.column(j)) - 1) > scale_tolerance;
+                 std::abs(std::abs(dot(a.column(j), result.column(j))) - 1) > scale_tolerance;
   }
   return result;
 }

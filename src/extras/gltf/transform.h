@@ -32,7 +32,7 @@ struct NodeTransform {
 NodeTransform local_transform(const tinygltf::Node& node, const std::string& where);
 
 // Columns of length 1, right-angled and right-handed: local +Z keeps its direction, +Y as far as it can.
-// was_scaled: whether more than rounding was taken away. Throws where a column vanishes.
+// was_scaled: whether more than rounding was taken away, but for what mirrors. Throws where a column vanishes.
 Affine without_scale(const Affine& a, bool& was_scaled, const std::string& where);
 // The same left-handed where `a` mirrors: of +X the opposite, for what mirrors light.
 Affine with_mirror_of(const Affine& a, Affine frame);

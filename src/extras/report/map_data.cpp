@@ -218,7 +218,7 @@ uint32_t columns_of(const double* positions_m, size_t count) {
     return Vector{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   };
   const Vector step = between_points(0, 1);
-  const double tiny = 1e-4 * length(step) * double(std::min<size_t>(count, 1000));  // at most a tenth of a step
+  const double tiny = 1e-4 * length(step) * double(std::min<size_t>(count, 2500));  // at most a quarter of a step
   const auto differ = [&](const Vector& a, const Vector& b) {
     return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]}) > tiny;
   };

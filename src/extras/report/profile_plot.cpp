@@ -26,6 +26,6 @@ double round_step(double smallest) {
   return power * (factor <= 1 ? 1 : factor <= 2 ? 2 : factor <= 5 ? 5 : 10);
 }
 
-bool is_per_kilolumen(const ProfileReport& report) { return report.info.rated_flux_lm > 0; }
+bool is_per_kilolumen(const ProfileReport& report) { return report.info.light_output_ratio >= 0; }
 
 }  // namespace ups::report
