@@ -157,7 +157,7 @@ TEST_F(Limits, TimeCutsAnIteration) {
 // The clock decides how many iterations there are, and nothing else.
 TEST_F(Limits, TimeLeavesTheBitsOfItsIterations) {
   add_meters(4);
-  add_camera(160, 120);
+  add_camera(64, 48);
   EXPECT_OK(ups_scene_commit(scene));
   for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_UPS}) {
     auto d = of_iterations(method, 0);
@@ -167,7 +167,7 @@ TEST_F(Limits, TimeLeavesTheBitsOfItsIterations) {
     EXPECT_GE(iterations, 1u);
     RecordProperty("elapsed_ms", int(1000 * info().elapsed_s));
     const auto image_of = [&] {
-      std::vector<float> image(3 * 160 * 120);
+      std::vector<float> image(3 * 64 * 48);
       EXPECT_OK(ups_result_read_image(result, camera, UPS_CHANNEL_LUMINANCE_RGB, image.data(), 0, image.size() * 4));
       return image;
     };

@@ -65,7 +65,8 @@ XML
 expect_lux() {
   LD_PRELOAD=$sanitizer "$@" | tee "$work/room.txt"
   local readings
-  readings=$(grep -cE '^ *[0-9]+\.[0-9] ± [0-9]+\.[0-9] lx$' "$work/room.txt" || true)
+  # -1.0: a slow machine has no four batches within the sample's five seconds, which an error needs.
+  readings=$(grep -cE '^ *[0-9]+\.[0-9] ± ([0-9]+\.[0-9]|-1\.0) lx$' "$work/room.txt" || true)
   [ "$readings" -eq 12 ] || { echo "expected 12 readings, got $readings"; exit 1; }
 }
 
