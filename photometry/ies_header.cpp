@@ -15,13 +15,18 @@ IesEdition edition_of_year(int year) {
                        : IesEdition::y2019;
 }
 
+std::string upper_case_without_ansi(std::string_view line) {
+  std::string key = upper_case(line);
+  if (key.rfind("ANSI/", 0) == 0) key.erase(0, 5);
+  return key;
+}
+
 // IESNA91, IESNA95, IESNA:LM-63-YYYY or IES:LM-63-YYYY, with blanks anywhere and anything after; of years some programs
 // write two digits, and ANSI/ before it. Anything else is 1986, the edition that had no such line.
 void read_edition(std::string_view first_line, size_t line, IesHeader& header, std::vector<std::string>& warnings) {
   const auto warn = [&](const std::string& what) { warnings.push_back(at_line(line, what)); };
-  std::string key = upper_case(first_line);
+  std::string key = upper_case_without_ansi(first_line);
   key.erase(std::remove_if(key.begin(), key.end(), [](char c) { return c == ' ' || c == '\t'; }), key.end());
-  if (key.rfind("ANSI/", 0) == 0) key.erase(0, 5);
   if (key.rfind("IES", 0) != 0) return;
   const size_t tag = key.find("LM-63-");
   std::string year;
@@ -42,8 +47,7 @@ void read_edition(std::string_view first_line, size_t line, IesHeader& header, s
 }
 
 bool is_version_line(std::string_view line) {
-  std::string key = upper_case(line);
-  if (key.rfind("ANSI/", 0) == 0) key.erase(0, 5);
+  const std::string key = upper_case_without_ansi(line);
   return key.rfind("IESNA", 0) == 0 || (key.rfind("IES", 0) == 0 && key.find("LM-63") != key.npos);
 }
 

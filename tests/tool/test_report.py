@@ -11,6 +11,7 @@ import subprocess
 import sys
 import unittest
 
+import test_goniometer
 import test_program
 
 VOID = {"meta", "link", "img", "br", "hr", "input"}
@@ -316,7 +317,6 @@ class Targets(ReportTest):
 
     def test_a_fixture_shines_new_whatever_the_maintenance(self):
         """Its emitter and a luminaire have the maintenance factor in the scene, a light has none (before: 800 lm)."""
-        import test_goniometer
         scene = lamp_room()
         scene["scenes"][0]["extras"] = {"ups": {"maintenance_factor": 0.8}}
         scene["scenes"][0]["nodes"].append(len(scene["nodes"]))
