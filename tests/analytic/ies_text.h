@@ -19,11 +19,12 @@ inline std::string ies_number(double v) {
 }
 
 // intensity_cd of C and gamma in radians, at the planes and angles given in degrees. `opening`: width, length and
-// height as the file states them.
+// height as the file states them; lamp_lm: -1 for absolute photometry.
 inline std::string ies_text(const std::function<double(double, double)>& intensity_cd, const std::vector<double>& c_deg,
-                            const std::vector<double>& gamma_deg, const std::string& opening) {
+                            const std::vector<double>& gamma_deg, const std::string& opening, double lamp_lm = -1) {
   std::string out =
-      "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] none\n[MANUFAC] none\nTILT=NONE\n1 -1 1 " +
+      "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] none\n[MANUFAC] none\nTILT=NONE\n1 " +
+      ies_number(lamp_lm) + " 1 " +
       std::to_string(gamma_deg.size()) + " " + std::to_string(c_deg.size()) + " 1 2 " + opening + "\n1 1 1\n";
   for (double g : gamma_deg) out += ies_number(g) + "\n";
   for (double c : c_deg) out += ies_number(c) + "\n";

@@ -199,7 +199,8 @@ TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, ReplayedSamples,
                          testing::Values(UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_AUTO,
-                                         UPS_METHOD_LIGHT_TRACING, UPS_METHOD_SPPM),
+                                         UPS_METHOD_LIGHT_TRACING, UPS_METHOD_SPPM, UPS_METHOD_PPM,
+                                         UPS_METHOD_PATH_TRACING),
                          [](const auto& i) { return "method" + std::to_string(i.param); });
 
 TEST(Replay, SaysWhatIsWrongWithAnAddress) {

@@ -3,6 +3,7 @@
 # configures, builds, runs every test, judges by what the sanitizers found. See README.md.
 #   tests/sanitizers/run.sh address            address, undefined behaviour, float traps
 #   tests/sanitizers/run.sh thread             races
+#   tests/sanitizers/run.sh traps -R Torture   float traps alone, which slow nothing down: scenes at full size, by UPS_STABILITY=full
 #   tests/sanitizers/run.sh address -R Replay  arguments go to ctest
 # UPS_TEST_EFFORT=full: renders of tests with all their iterations. Exit code 1 where something was found.
 set -euo pipefail
@@ -11,8 +12,9 @@ cores=$(nproc)
 case ${1:-} in
   address) preset=asan ;;
   thread) preset=tsan ;;
+  traps) preset=traps ;;
   *)
-    sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    sed -n '2,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
     exit 2
     ;;
 esac

@@ -42,7 +42,7 @@ TEST(Taught, PanesOnWallsLetNothingThrough) {
 // A block of glass that stands on a floor of a single sheet, its lower face in the floor's plane: in optical contact, as
 // one that is sunk into it by 20 um. Light that met the glass first started below the floor (before: all of it, or none,
 // by which was made first and how rounding went): lost above, and shining below. Both have the same paths, but for
-// rounding, so that they differ by less than their noise. Exactly 0 below.
+// rounding, so that they differ by less than their noise: within 0.5 %, so that 1 % is found. Exactly 0 below.
 TEST(Taught, GlassThatStandsOnAFloorLetsNothingThrough) {
   const auto read = [](double sunk, bool glass_first, double far_off, ups_method method) {
     Scene scene;
@@ -71,7 +71,7 @@ TEST(Taught, GlassThatStandsOnAFloorLetsNothingThrough) {
       for (const bool glass_first : {true, false}) {
         const float on = read(0, glass_first, far_off, method);
         measured("%g m off, %s: %+.2f %%", far_off, method_name(method), 100 * (double(on / sunk) - 1));
-        EXPECT_NEAR(on / sunk, 1, 0.01) << far_off << " m off, " << method_name(method);
+        EXPECT_NEAR(on / sunk, 1, 0.005) << far_off << " m off, " << method_name(method);
       }
     }
 }
@@ -106,7 +106,8 @@ TEST(Taught, HazeThatFillsARoomLetsNothingThroughItsFloor) {
 }
 
 // A luminaire mounted below a floor of a single sheet, of which 30 % shine up: its opening's upper face lies in the
-// sheet, and what leaves it started above (before: some 170 lx in the room above).
+// sheet, and what leaves it started above (before: some 170 lx in the room above). Below, the same random numbers as a
+// millimetre lower: within 0.5 %, so that 1 % is found.
 TEST(Taught, OpeningsUnderAFloorLightNothingAbove) {
   for (const double height : {0.0, 0.05})
     for (const double far_off : {0.0, 60.0}) {
@@ -127,13 +128,13 @@ TEST(Taught, OpeningsUnderAFloorLightNothingAbove) {
         const std::string what = std::to_string(height) + " m high, " + method_name(method);
         const auto on = read(0, method), off = read(0.001, method);
         EXPECT_EQ(on[0].illuminance_lx, 0) << what;
-        EXPECT_NEAR(on[1].illuminance_lx / off[1].illuminance_lx, 1, 0.01) << what;
+        EXPECT_NEAR(on[1].illuminance_lx / off[1].illuminance_lx, 1, 0.005) << what;
       }
     }
 }
 
 // A luminous box recessed in the ceiling of a single sheet, its lower face in the ceiling's plane: its light belongs to
-// the room, and is as from a millimetre lower.
+// the room, and is as from a millimetre lower, by the same random numbers: within 0.5 %, so that 1 % is found.
 TEST(Taught, OpeningsRecessedInACeilingLightTheRoom) {
   const std::string ies = ies_text([](double, double gamma) { return gamma < pi_d / 2 ? 700 * std::cos(gamma) : 0; },
                                    {0}, steps(1, 180), ies_number(0.6) + " " + ies_number(0.6) + " " + ies_number(0.1));
@@ -146,7 +147,7 @@ TEST(Taught, OpeningsRecessedInACeilingLightTheRoom) {
     return scene.render({.method = method, .iterations = 16, .light_paths = 1u << 13}).statistics(cell).mean_lx;
   };
   for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_UPS})
-    EXPECT_NEAR(read(0, method) / read(0.001, method), 1, 0.01) << method_name(method);
+    EXPECT_NEAR(read(0, method) / read(0.001, method), 1, 0.005) << method_name(method);
 }
 
 // A luminous box that stands on a slab lights nothing in it.

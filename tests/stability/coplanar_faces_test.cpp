@@ -72,7 +72,7 @@ TEST(Hazard17, WhichOfTwoFacesIsMetDoesNotDependOnThreads) {
       << "the dark wall is met";
 }
 
-// A sheet of two faces, white above and black below. Which of them a ray meets is a matter of rounding: that is said,
+// A sheet of two faces, white above and grey below. Which of them a ray meets is a matter of rounding: that is said,
 // and what is read lies between what either would give.
 TEST(Taught, CoplanarDoubleFacesAreWarnedOf) {
   const auto read = [](double first, double second, bool both, std::string* warnings) {
@@ -86,10 +86,11 @@ TEST(Taught, CoplanarDoubleFacesAreWarnedOf) {
   };
   std::string warnings;
   const auto white = read(0.8, 0, false, nullptr), same = read(0.8, 0.8, true, nullptr),
-             mixed = read(0.8, 0, true, &warnings);
+             grey = read(0.2, 0, false, nullptr), mixed = read(0.8, 0.2, true, &warnings);
   EXPECT_NE(warnings.find("exactly on another"), std::string::npos) << warnings;
   EXPECT_NEAR(same.illuminance_lx / white.illuminance_lx, 1, 1e-3);
   EXPECT_LE(mixed.illuminance_lx, white.illuminance_lx * (1 + 1e-3));
+  EXPECT_GE(mixed.illuminance_lx, grey.illuminance_lx * (1 - 1e-3));
 }
 
 // A panel in the very plane of the ceiling, which goes on behind it: the form factor of the panel, by methods that hit
@@ -138,7 +139,8 @@ TEST(Taught, EmittersOfTwoSidesInAnothersPlaneAreWarnedOf) {
 }
 
 // A luminaire whose luminous disc lies in the plane of its housing's bottom, 0 or 1 mm below it, or in an open housing:
-// I / (d^2 + r^2) on its axis. In a closed one it lights nothing, which is said.
+// I / (d^2 + r^2) on its axis, at a standard error of 0.1 % (expect_lx.h: 0.9 % is found in all of 1000 cases). In a closed
+// one it lights nothing, which is said.
 TEST(Taught, ALuminaireInsideItsOwnHousing) {
   const double intensity = 100, radius = 0.1, d = 1.5, expected = intensity / (d * d + radius * radius);
   const std::string ies = ies_text([=](double gamma) { return intensity * std::cos(gamma); }, 90, 2 * radius);

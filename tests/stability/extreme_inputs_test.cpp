@@ -80,6 +80,7 @@ TEST(Hazard02, ScenesOfExtremesGiveFiniteReadings) {
     } catch (const std::runtime_error& error) {
       const std::string what = error.what();
       EXPECT_EQ(what.find("ups_"), 0u) << "case " << i << ": " << what;  // a status, not a value
+      EXPECT_EQ(what.find(ups_status_name(UPS_ERROR_INTERNAL)), std::string::npos) << "case " << i << ": " << what;
     }
   }
   std::printf("  %zu of %u scenes rendered, %.3g rays\n", rendered, cases, double(rays));

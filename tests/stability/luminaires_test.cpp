@@ -9,7 +9,7 @@
 namespace ups::test {
 namespace {
 
-// A beam of 0.1 degrees, linear from its peak to 0: the table's flux, and the illuminance by I(gamma) / d^2 on its axis
+// A beam of 0.1 degrees, linear from its peak to 0, which is all of its lamp's rated flux: the file's lumens, and the illuminance by I(gamma) / d^2 on its axis
 // and beside it, to 0.1 % where next-event estimation brings it without noise, and by landings on a cell that holds all
 // of it: at a standard error of 0.15 %, asserted, 0.5 % or four of them are allowed, so that 1 % is found in 99 of 100
 // cases (false alarms: expect_lx.h).
@@ -20,7 +20,11 @@ TEST(Hazard25, ANeedleOfATenthOfADegreeKeepsItsIlluminance) {
   for (const P3& down : {P3{0, 0, -1}, P3{0.6, 0, -0.8}}) {
     Scene scene;
     const Profile profile = parse(
-        scene.context(), ies_text([=](double, double g) { return intensity(g); }, {0}, {0, 0.1, 0.2, 90}, "0 0 0"));
+        scene.context(), ies_text([=](double, double g) { return intensity(g); }, {0}, {0, 0.1, 0.2, 90}, "0 0 0", flux));
+    ups_profile_info file{};
+    file.struct_size = sizeof file;
+    check(ups_profile_get_info(profile.get(), &file), "ups_profile_get_info");
+    EXPECT_NEAR(file.interpolated_flux_lm / file.rated_flux_lm, 1, 1e-3);
     scene.add_luminaire(profile.get(), {0, 0, 0}, down, false);
     const P3 side{0, 1, 0};
     std::vector<P3> at;

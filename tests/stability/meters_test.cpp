@@ -36,7 +36,8 @@ struct Judged {
   double mean_error = 0, worst_error = 0, widest_bound = 0;  // relative
   int held = 0;
 };
-Judged judge(const Result& result, const Sensor& meters, const Known& known, const std::string& what,
+// widest: that a bound may be, relative.
+Judged judge(const Result& result, const Sensor& meters, const Known& known, const std::string& what, double widest,
              bool by_mean = true) {
   const auto readings = result.readings(meters);
   const auto all = result.statistics(meters);
@@ -52,6 +53,7 @@ Judged judge(const Result& result, const Sensor& meters, const Known& known, con
     j.widest_bound = std::max(j.widest_bound, bound / known.lx[i]);
   }
   EXPECT_GE(j.held, int(readings.size()) - most_misses(readings.size())) << what;
+  EXPECT_LE(j.widest_bound, widest) << what;
   if (by_mean) {
     EXPECT_LE(all.mean_standard_error_lx, 0.0015 * all.mean_lx) << what << ": too noisy to judge";
     EXPECT_NEAR(j.mean_error, 0, 0.005) << what;
@@ -69,9 +71,7 @@ Judged judge_in_black_room(const Known& known, const P3& lamp, double candela, c
   scene.add_point_light(lamp, candela);
   const Sensor meters = scene.add_meters(known.at, known.normals);
   const Result r = scene.render({.method = UPS_METHOD_PPM, .iterations = 96, .light_paths = 1u << 18});
-  const Judged j = judge(r, meters, known, what);
-  EXPECT_LE(j.widest_bound, 0.08) << what;
-  return j;
+  return judge(r, meters, known, what, 0.08);
 }
 
 TEST(Hazard19, MetersTwoCentimetresFromAWallHoldTheirBound) {
@@ -142,7 +142,7 @@ TEST(Taught, MetersOnEdgesAndInCorners) {
   for (size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(exact[i].illuminance_lx / known.lx[i], 1, 1e-4) << i;
   const Result photons = scene.render(
       {.method = UPS_METHOD_PPM, .iterations = 32, .merge_radius_m = 0.03, .light_paths = 1u << 16});
-  judge(photons, meters, known, "edges and corners", false);
+  judge(photons, meters, known, "edges and corners", widest[0], false);
   const auto readings = photons.readings(meters);
   for (size_t i = 0; i < readings.size(); ++i) {
     const size_t k = i * std::size(distances) / readings.size();
@@ -163,7 +163,7 @@ TEST(Taught, MetersOnATablesEdge) {
       known.add(p, {0, 0, 1}, lamp_lx(lamp, 100, p, {0, 0, 1}));
   const Sensor meters = scene.add_meters(known.at, known.normals);
   judge(scene.render({.method = UPS_METHOD_PPM, .iterations = 64, .light_paths = 1u << 18}), meters, known,
-        "a table's edge");
+        "a table's edge", 0.02);
 }
 
 // Discs ten times as wide as the surface's radius of curvature: on top of rods and balls of 1 cm.
@@ -183,7 +183,7 @@ TEST(Hazard20, DiscsWiderThanASurfaceIsBentHoldTheirBound) {
   const Sensor meters = scene.add_meters(known.at, known.normals);
   const Result r =
       scene.render({.method = UPS_METHOD_PPM, .iterations = 48, .merge_radius_m = 0.1, .light_paths = 1u << 17});
-  judge(r, meters, known, "balls of 1 cm");
+  judge(r, meters, known, "balls of 1 cm", 0.1);
 }
 
 // What a camera sees of a rod of 1 cm, by photons alone: the bounds of its pixels hold, with the radius that the scene
@@ -239,8 +239,8 @@ TEST(Taught, MetersUnderACaster) {
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PPM}) {
     const Result r = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 16});
     const std::string what = method_name(method);
-    judge(r, a, under, what + " under a slab");
-    judge(r, b, beside, what + " beside it");
+    judge(r, a, under, what + " under a slab", 0.03);
+    judge(r, b, beside, what + " beside it", 0.03);
   }
 }
 
@@ -262,7 +262,8 @@ TEST(Taught, MetersUnderACasterThatTouchesThem) {
 }
 
 // A luminous opening of 0.6 mm, of an LED or of a file in another unit, is a point from half a metre on:
-// its intensity by the inverse square to 0.1 %, by next-event estimation and hits.
+// its intensity by the inverse square to 0.1 % at a standard error of at most 0.02 %, five of which make a false alarm
+// (P(|t_15| > 5) = 1.6e-4), by next-event estimation and hits.
 TEST(Taught, OpeningsOf600MicrometresAreAsPoints) {
   const double intensity = 100;
   for (const char* opening :

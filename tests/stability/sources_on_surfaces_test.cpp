@@ -157,7 +157,7 @@ TEST(Taught, SourcesOnWhatLetsLightThroughAndOnSlabs) {
 }
 
 // Of light that started within the glass, total reflection would hold half back. The same random numbers on it and
-// 0.1 mm above it, so that there is next to no noise between the two.
+// 0.1 mm above it, so that there is next to no noise between the two: within 0.5 %, so that 1 % is found.
 TEST(Taught, LuminairesOnGlassShineIntoItThroughAir) {
   const auto read = [](double height) {
     Scene scene;
@@ -168,7 +168,7 @@ TEST(Taught, LuminairesOnGlassShineIntoItThroughAir) {
     return scene.render({.method = UPS_METHOD_LIGHT_TRACING, .iterations = 16, .light_paths = 1u << 12})
         .statistics(cell).mean_lx;
   };
-  EXPECT_NEAR(read(0) / read(1e-4), 1, 0.01);
+  EXPECT_NEAR(read(0) / read(1e-4), 1, 0.005);
 }
 
 // Shadow rays from far away end before a source by what their length rounds to: at the middle of a scene, where a

@@ -16,7 +16,7 @@ Shape lamp_at(const P3& p) { return quad(p - P3{0.1, 0.1, 0}, {0, 0.2, 0}, {0.2,
 
 // Two lamps of one mesh, one of them in a block that absorbs and does not bend light, and cells under both (before: light
 // paths of the other had the block's absorption over 3 m, exp(-1.5), or none of it within). By expect_pair: 0.5 % or three
-// standard errors of the difference, which is at most 0.3 %: 1.5 % is found in 98 of 100 cases.
+// standard errors of the difference, which is at most 0.2 %: 1 % is found in 97 of 100 cases.
 TEST(Taught, LampsOfOneMeshInWaterAndInAir) {
   for (const bool water_first : {true, false}) {
     Scene scene;
@@ -28,7 +28,7 @@ TEST(Taught, LampsOfOneMeshInWaterAndInAir) {
     const Sensor cells = scene.add_cells({{3, 0, 0.01}, {-3, 0, 0.01}}, {{0, 0, 1}, {0, 0, 1}},
                                          {{1, 0, 0}, {1, 0, 0}}, 1, 1);
     const auto read = [&](ups_method method, uint32_t light_paths) {
-      return scene.render({.method = method, .iterations = 32, .light_paths = light_paths}).readings(cells);
+      return scene.render({.method = method, .iterations = 80, .light_paths = light_paths}).readings(cells);
     };
     const auto pt = read(UPS_METHOD_PATH_TRACING, 0), lt = read(UPS_METHOD_LIGHT_TRACING, 1u << 16),
                ups = read(UPS_METHOD_UPS, 1u << 12);
@@ -36,14 +36,15 @@ TEST(Taught, LampsOfOneMeshInWaterAndInAir) {
       for (const auto& other : {lt, ups}) {
         const Estimate a{"PT", pt[i].illuminance_lx, pt[i].standard_error_lx},
             b{"other", other[i].illuminance_lx, other[i].standard_error_lx};
-        EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.003 * a.mean) << i;
+        EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.002 * a.mean) << i;
         expect_pair(a, b, (i ? "under water" : "in air") + std::string(water_first ? ", water first" : ""));
       }
   }
 }
 
 // A wall's cell that a surface of what absorbs and does not bend light crosses, its middle in air: a lamp in it. The mean
-// of I cos exp(-a s) / d^2 over the cell, s as far as the way goes in it.
+// of I cos exp(-a s) / d^2 over the cell, s as far as the way goes in it. At a standard error of 0.17 % an error of 1 % is
+// found in 96 of 100 cases (expect_lx.h, with its false alarms).
 TEST(Taught, CellsThatAWatersSurfaceCrosses) {
   constexpr double candela = 100, away = 2, height = 2, level = 2;
   const P3 lamp{0, 0, 1};
@@ -62,8 +63,8 @@ TEST(Taught, CellsThatAWatersSurfaceCrosses) {
         expected += candela * way.x / (d * d * d) * std::exp(-absorption * within) / (steps * steps);
       }
     for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_UPS}) {
-      const auto r = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 13}).readings(cell)[0];
-      expect_lx(r, expected, 0.0025, method_name(method));
+      const auto r = scene.render({.method = method, .iterations = 144, .light_paths = 1u << 13}).readings(cell)[0];
+      expect_lx(r, expected, quiet, method_name(method));
     }
   }
 }

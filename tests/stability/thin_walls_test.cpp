@@ -62,9 +62,12 @@ TEST(Hazard18, ThinWallsDoNotLeak) {
       const std::string what = std::string(method_name(method)) + ", radius " + std::to_string(radius);
       const auto dark = r.readings(rooms.dark_points);
       const double lit = r.statistics(rooms.lit_points).mean_lx;
+      EXPECT_GT(lit, 1) << what;
       for (size_t i = 0; i < dark.size(); ++i) EXPECT_LE(dark[i].illuminance_lx, most * lit) << what << ", meter " << i;
       EXPECT_LE(brightest(r.readings(rooms.dark_cells)), most * lit) << what << ", cells";
       const Image a = r.image(rooms.dark_camera), b = r.image(rooms.lit_camera);
+      EXPECT_GT(mean(b.luminance), 0.1) << what;
+      EXPECT_GT(mean(b.illuminance), 1) << what;
       measured("%s: meters %g of %g lx, pixels %g of %g cd/m2", what.c_str(), brightest(dark), lit,
                brightest(a.luminance), mean(b.luminance));
       EXPECT_LE(brightest(a.luminance), most * mean(b.luminance)) << what;
@@ -81,6 +84,7 @@ TEST(Hazard18, MovedVerticesStayOnTheirSideOfAThinWall) {
                                        .light_paths = 1u << 14,
                                        .perturbation = UPS_PERTURBATION_ACTUAL});
   const Image a = r.image(rooms.dark_camera), b = r.image(rooms.lit_camera);
+  EXPECT_GT(mean(b.luminance), 0.1);
   EXPECT_LE(brightest(a.luminance), most * mean(b.luminance));
 }
 

@@ -15,9 +15,9 @@
 
 namespace ups::test {
 
-inline constexpr double pair_sigmas = 3;
 struct Limits {
   double standard_error, difference;  // relative
+  double sigmas = 3;  // a pair may differ by so many of its standard errors, too
 };
 inline constexpr Limits usual{0.0015, relative_tolerance};
 
@@ -28,7 +28,7 @@ struct Estimate {
 
 inline void expect_pair(const Estimate& a, const Estimate& b, const std::string& what, const Limits& limits = usual) {
   const double s = std::hypot(a.standard_error, b.standard_error), difference = a.mean - b.mean;
-  EXPECT_LE(std::abs(difference), std::max(limits.difference * std::abs(b.mean), pair_sigmas * s))
+  EXPECT_LE(std::abs(difference), std::max(limits.difference * std::abs(b.mean), limits.sigmas * s))
       << what << ", " << a.name << " and " << b.name << ": " << a.mean << " and " << b.mean << " lx (" << std::showpos
       << 100 * difference / b.mean << " %, " << difference / s << " standard errors)";
 }

@@ -1,6 +1,7 @@
 """The samples that weigh most, as `ups render` lists them, and `ups replay`. Usage:
 test_replay.py PATH_TO_UPS [unittest options]"""
 import json
+import math
 import os
 import re
 import shlex
@@ -94,6 +95,30 @@ class Replay(test_program.ProgramTest):
         words = root.find("{http://www.w3.org/2000/svg}desc").text
         for word in ("Plan", "Section", "eye path"):
             self.assertIn(word, words)
+
+    def test_a_drawing_has_the_vertices_at_their_places(self):
+        """The sample's own walk, edge by edge: in plan, then in a section along it, both by the scale that is drawn."""
+        for sample in self.result["largest_samples"][:4]:
+            path = json.loads(self.replay(sample["address"], "--json", "--plot", self.path("path.svg")))
+            places = [v["position_m"] for v in path["vertices"] if v["walk"] == 0]
+            self.assertGreater(len(places), 1)
+            edges = [[b - a for a, b in zip(*pair)] for pair in zip(places, places[1:])]
+            x, y = max(([b - a for a, b in zip(places[0], v["position_m"])][:2] for v in path["vertices"]),
+                       key=lambda d: math.hypot(*d))
+            along = [c / math.hypot(x, y) * (-1 if x < 0 else 1) for c in (x, y)]
+            with open(self.path("path.svg"), encoding="utf-8") as f:
+                svg = f.read()
+            lines = {width: [[float(n) for n in line] for line in
+                             re.findall(rf'stroke-width:{width};[^>]* d="M (\S+) (\S+) L (\S+) (\S+) "', svg)]
+                     for width in ("2", "1.8")}
+            metres = float(re.search(r"^([\d.]+) m$", svg, re.MULTILINE).group(1))
+            scale = (lines["2"][-1][2] - lines["2"][-1][0]) / metres
+            expected = [(e[0] * scale, -e[1] * scale) for e in edges]
+            expected += [((e[0] * along[0] + e[1] * along[1]) * scale, -e[2] * scale) for e in edges]
+            self.assertEqual(len(lines["1.8"]), len(expected))
+            for line, edge in zip(lines["1.8"], expected):
+                for found, wanted in zip((line[2] - line[0], line[3] - line[1]), edge):
+                    self.assertAlmostEqual(found, wanted, delta=0.02)  # of 900 points
 
     def test_a_wrong_address_says_what_is_wrong(self):
         for address, words in (("moon/0/0/eye/0/1", ["moon", "there are", "spot"]), ("spot/x/0/eye/0/1", ["'x'"]),
