@@ -153,7 +153,10 @@ double conversion_factor(double peak_per_klm) {
   return factor;
 }
 
-void add_opening(const Opening& o, EulumdatFields& out) {
+struct Millimetres {
+  double length, width, height;
+};
+Millimetres in_mm(const Opening& o) {
   const bool round = o.shape == OpeningShape::disc || o.shape == OpeningShape::sphere ||
                      (o.shape == OpeningShape::cylinder && o.axis == 2);
   const bool circle = round && o.size_m[0] == o.size_m[1];
@@ -162,10 +165,13 @@ void add_opening(const Opening& o, EulumdatFields& out) {
     constexpr double least = 0.01;  // 0 would make another shape
     return none || o.size_m[axis] == 0 ? 0 : std::max(least, 1000 * shorter(o.size_m[axis]));
   };
-  out.number(mm(1), 4, "the luminous length in mm");
-  out.number(circle ? 0 : mm(0) == 0 && mm(1) > 0 ? 1 : mm(0), 4,  // 0 would make it round: a sheet has 1 mm
-             "the luminous width in mm");
-  for (int side = 0; side < 4; ++side) out.number(mm(2), 4, "a luminous height in mm");
+  return {mm(1), circle ? 0 : mm(0) == 0 && mm(1) > 0 ? 1 : mm(0), mm(2)};  // width 0: round; a sheet has 1 mm
+}
+
+void add_opening(const Millimetres& opening, EulumdatFields& out) {
+  out.number(opening.length, 4, "the luminous length in mm");
+  out.number(opening.width, 4, "the luminous width in mm");
+  for (int side = 0; side < 4; ++side) out.number(opening.height, 4, "a luminous height in mm");
 }
 
 void add_lamps(const Photometry& p, double flux, bool absolute, EulumdatFields& out) {
@@ -214,9 +220,13 @@ void add_head(const Photometry& p, const Distribution& d, const StoredPlanes& pl
   out.text(keyword("LUMCAT"), 78, "the luminaire's number");
   out.text(keyword("_FILENAME"), 8, "the file's name");
   out.text(keyword("ISSUEDATE"), 78, "the date");
-  out.number(kept_number(p.keywords, "_LENGTH_MM"), 4, "the luminaire's length in mm");
-  out.number(kept_number(p.keywords, "_WIDTH_MM"), 4, "the luminaire's width in mm");
-  out.number(kept_number(p.keywords, "_HEIGHT_MM"), 4, "the luminaire's height in mm");
+  // That of a luminaire whose body nobody has stated is its opening's: width 0 would make it round.
+  Millimetres body{kept_number(p.keywords, "_LENGTH_MM"), kept_number(p.keywords, "_WIDTH_MM"),
+                   kept_number(p.keywords, "_HEIGHT_MM")};
+  if (body.length == 0 && body.width == 0 && body.height == 0) body = in_mm(p.opening);
+  out.number(body.length, 4, "the luminaire's length in mm");
+  out.number(body.width, 4, "the luminaire's width in mm");
+  out.number(body.height, 4, "the luminaire's height in mm");
 }
 
 void add_direct_ratios(const std::vector<Keyword>& keywords, EulumdatFields& out) {
@@ -241,7 +251,7 @@ std::string write_eulumdat(const Photometry& p, std::vector<std::string>* warnin
   const double flux = reference_flux(p, absolute), per_klm = 1000 / flux,
                factor = conversion_factor(d.peak_cd() * per_klm);
   add_head(p, d, planes, out);
-  add_opening(p.opening, out);
+  add_opening(in_mm(p.opening), out);
   out.number(std::round(10 * downward_percent(d)) / 10, 4, "the downward flux fraction");
   out.number(light_output_percent(d.band_flux_lm(), flux), 4, "the light output ratio");
   out.number(factor, 6, "the conversion factor");

@@ -12,7 +12,7 @@
 typedef int32_t ups_position_index;
 enum {
   UPS_POSITION_INDEX_TABLE = 0, /* the table of CIE 117:1995, bilinear: what UGR is defined with */
-  UPS_POSITION_INDEX_GUTH = 1   /* Guth's in Levin's closed form: up to 10 % from the table */
+  UPS_POSITION_INDEX_GUTH = 1   /* Guth's in Levin's closed form: up to 12 % from the table */
 };
 /* The index of sources in count directions of the eye's frame (3 floats each, any length > 0), which looks along -Z, +Y
  * up: >= 1, or -1 where a source counts for nothing: behind the eye, or above the line of sight beyond the table (T/R
@@ -127,7 +127,8 @@ typedef struct ups_observer_reading {
   float background_standard_error_cd_m2, background_error_bound_cd_m2; /* the latter 95 %, bias too; -1: not known */
   uint32_t source_count;            /* that count in the rating */
   float ceiling_coverage;           /* 0 to 1: the area of sources above 1.5 m^2 that the eye sees where it turns
-                                     * round, as seen from below, over the ceiling's; 0: none is in view */
+                                     * round, as seen from below, over the ceiling's; 0: none is in view, or none
+                                     * that covers any of it, such as a luminous wall */
   float ggr;                        /* the rating with such sources by CIE 147: from coverages of 0.15 on above UGR's
                                      * where much light falls straight on the eye; -1 where ceiling_coverage is 0 */
   float ggr_low, ggr_high;          /* 95 %, noise and bias; -1: not known, or ggr_high without an end */

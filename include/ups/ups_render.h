@@ -48,8 +48,8 @@ enum {
   UPS_SEPARATE_GROUPS = 2      /* by the `group` of their descs */
 };
 
-/* Which relative error of the sensors is judged by the target. A meter's is error_bound / max(E, 5 % of its set's
- * mean), a pixel's that of its luminance, from noise alone. */
+/* Which relative error of the sensors is judged by the target: error_bound / max(E, 5 % of its set's mean) of a meter,
+ * the same of a pixel's luminance and its image. */
 typedef int32_t ups_criterion;
 enum {
   UPS_CRITERION_DEFAULT = 0, /* the worst meter; without meters the mean over pixels that light
@@ -223,7 +223,7 @@ typedef struct ups_curve_point {
   uint32_t iterations;
   double elapsed_s;
   float median_relative_error, p95_relative_error, worst_relative_error, mean_relative_error;
-  float bias_share;                         /* of the meters' bounds: estimated bias */
+  float bias_share;                         /* of the meters' bounds: estimated bias; 0 without meters */
   uint32_t reserved;                        /* 0 */
   uint64_t rays, light_paths, eye_paths;    /* so far; without flux_paths */
   uint64_t resident_bytes;                  /* memory of the process, all that it does; 0: not known */

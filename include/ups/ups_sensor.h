@@ -34,7 +34,8 @@ typedef struct ups_camera_desc {
   double to_world[12];     /* looks along local -Z, local +Y is up in the image; scale and mirroring are
                             * ignored */
   float vertical_fov_rad;  /* [1e-6, pi); of a perspective alone */
-  int32_t illuminance;     /* 1: also the illuminance on the first diffuse surface, UPS_CHANNEL_ILLUMINANCE */
+  int32_t illuminance;     /* 1: also the illuminance on the first surface that is no mirror, clear glass or
+                            * pane, UPS_CHANNEL_ILLUMINANCE */
   uint32_t layers;         /* UPS_LAYER_* to have as channels too */
   uint32_t reserved;       /* 0 */
 } ups_camera_desc;

@@ -36,7 +36,7 @@ class LastError {
     };
     if (name) append(prefix, name), append(": ", 2);
     append(message, body);
-    if (name + body > size) size = whole_characters(text->bytes(), size);
+    if (name + (name ? 2 : 0) + body > size) size = whole_characters(text->bytes(), size);
     text->bytes()[size] = '\0';
   }
 

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 #include "bsdf/fresnel.h"
 #include "bsdf/material.h"
@@ -259,9 +261,13 @@ struct Tables {
   }
 };
 
+// Made once and never freed. Without a lock, which a child of fork() might find held for ever.
 const Tables& tables() {
-  static const Tables instance;
-  return instance;
+  static std::atomic<const Tables*> kept{};
+  if (const Tables* made = kept.load(std::memory_order_acquire)) return *made;
+  auto mine = std::make_unique<const Tables>();
+  const Tables* first = nullptr;
+  return kept.compare_exchange_strong(first, mine.get(), std::memory_order_acq_rel) ? *mine.release() : *first;
 }
 
 float missing_lobe(float mu, float alpha, float envelopes) { return mu * envelope(mu, alpha) / (pi * envelopes); }

@@ -68,7 +68,7 @@ void CommitJob::run() {
   ups_job_state state = UPS_JOB_FAILED;
   JobError error;
   try {
-    made = builds_->build(description_, *threads_.take(), monitor_);
+    made = builds_->build(*description_, *threads_.take(), monitor_);
     monitor_.check();
     state = UPS_JOB_FINISHED;
     if (made) on_build_(*made);
@@ -77,6 +77,7 @@ void CommitJob::run() {
   } catch (...) {
     error.keep();
   }
+  description_.reset();
   builds_->end(state == UPS_JOB_FINISHED ? made : nullptr);
   const std::lock_guard lock(mutex_);
   state_ = state, error_ = error.status;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -60,7 +61,7 @@ class CommitJob {
   void run();
 
   const std::shared_ptr<SceneBuilds> builds_;
-  const Description description_;
+  std::optional<const Description> description_;  // until it is built: it keeps what is removed from the scene
   const JobThreads threads_;
   const std::function<void(const SceneBuild&)> on_build_;
   Monitor monitor_;

@@ -41,7 +41,8 @@ void IlluminanceSums::read_bounds(const std::vector<uint32_t>& visits, uint32_t 
   for (const float lx : r.lx) mean += lx / double(r.lx.size());
   const std::vector<float> largest = tiles_.largest_around(largest_, mean > 0 ? mean : emitted_lx_);
   const bool whole = passes >= min_batches;
-  const std::vector<Spread> squares = merges_ && whole ? merges_->bias.of_squares(passes, r.lx) : std::vector<Spread>();
+  std::vector<PixelBias::OfSquare> squares;
+  if (merges_ && whole) squares = merges_->bias.of_squares(passes, r.lx);
   std::vector<PixelCaustics::Unfound> unfound(tiles_.count());
   if (merges_) unfound = merges_->caustics.unfound(caustic_lm, plan_.light_paths);
   for (uint32_t p = 0; p < sums_.size(); ++p) {

@@ -173,9 +173,10 @@ void RenderJob::take_memory() {
     estimated_ = in_bytes(m, allowed_);
   }
   check_memory(m, allowed_, *scene_, integrator_->plan(), desc_);
-  // Others may take a result, and the sums one more look at the errors.
+  // Others may take a result, and the sums one more look at the errors. Arrays of light paths stay as large as they once
+  // were, which from one iteration to the next may be larger than is estimated.
   const double meanwhile = m.scene + m.sums() + m.iteration + 2 * (m.reading + m.scratch);
-  is_read_meanwhile_ = meanwhile + m.light_paths <= allowed_.bytes;
+  is_read_meanwhile_ = meanwhile + 1.5 * m.light_paths <= allowed_.bytes;
   const double left = allowed_.bytes - (is_read_meanwhile_ ? meanwhile : m.fixed_while_tracing());
   memory_.set(whole_bytes(left), advice_of(allowed_));
   queue_.set_most_bytes(whole_bytes(std::min(left - m.light_paths, double(TallyQueue::default_bytes))));
@@ -184,6 +185,7 @@ void RenderJob::take_memory() {
 void RenderJob::prepare() {
   make_integrator();
   take_memory();
+  if (stop_.is_set()) return;  // nothing is known of what it takes, and nothing will be rendered
   books_flux_ = integrator_->books_flux();
   auto glare = std::make_shared<std::vector<SeenGlare>>();
   if (!scene_->observers.empty()) {
@@ -214,6 +216,7 @@ void RenderJob::iterate() {
   take_threads(desc_.priority);
   set_deadline(0.7, 0);  // a first iteration is worth what is left when a cut is seen late
   prepare();
+  if (!sums_) return;
   const bool has_light_paths = books_flux_ || !(scene_->emitters.flux_lm() > 0);
   FluxPass flux(*scene_, *pool_, desc_.seed, has_light_paths ? 0 : uint32_t(desc_.flux_paths));
   TallyQueue::Delivery next;

@@ -16,7 +16,12 @@ namespace ups {
 
 std::shared_ptr<const RenderResult> RenderJob::read() const {
   if (!sums_ || sums_->iterations() == 0) {
-    if (progress().state == UPS_JOB_FINISHED)
+    const ups_job_state state = progress().state;
+    if (state == UPS_JOB_CANCELLED || state == UPS_JOB_FAILED)
+      throw Error(UPS_ERROR_INVALID_STATE, std::string("the job ") +
+                                               (state == UPS_JOB_FAILED ? "failed" : "was cancelled") +
+                                               " before its first iteration was done: there is no result");
+    if (state == UPS_JOB_FINISHED)
       throw Error(UPS_ERROR_INVALID_STATE, "time_limit_s: " + std::to_string(desc_.time_limit_s) +
                                                " s were over before the first iteration was done");
     throw Error(UPS_ERROR_INVALID_STATE, "no whole iteration is done yet: wait for ups_progress.iterations_done > 0");

@@ -98,6 +98,12 @@ double MeterBatches::choice_variance() const {
   return sum / (weights_ * weights_);
 }
 
+double MeterBatches::told_bias() const {
+  double sum = 0;
+  for (const Meter& m : meters_) sum += m.weight * m.bias.mean;
+  return sum / weights_;
+}
+
 double MeterBatches::mean_of_batch(uint32_t b) const {
   double sum = 0;
   for (size_t m = 0; m < count(); ++m) sum += meters_[m].weight * double(batch(m, b));
@@ -108,10 +114,10 @@ double MeterBatches::mean_of_batch(uint32_t b) const {
 MeterBatches MeterBatches::over_mean() const {
   MeterBatches out(used_);
   const double mean = this->mean(), unfound = this->unfound();
-  double of_set[batch_count], own[batch_count], bias = 0;
+  double of_set[batch_count], own[batch_count];
   const double no_bias[batch_count] = {};
   for (uint32_t b = 0; b < used_; ++b) of_set[b] = mean_of_batch(b);
-  for (const Meter& m : meters_) bias += m.weight * m.bias.mean / weights_;
+  const double bias = told_bias();
   for (size_t m = 0; m < count(); ++m) {
     const double ratio = value(m) / mean;
     for (uint32_t b = 0; b < used_; ++b) own[b] = ratio + (double(batch(m, b)) - ratio * of_set[b]) / mean;
@@ -227,6 +233,16 @@ Interval LowerRanks::interval_at(size_t rank) const {
   return {std::min(value - below, cross.value - cross.above), std::max(value + below, cross.value + cross.above)};
 }
 
+double LowerRanks::unsure_share(size_t first, size_t last, double threshold) const {
+  double sum = 0;
+  for (size_t rank = first; rank < last; ++rank) {
+    const uint32_t m = all_.meters[rank];
+    const double value = meters_.value(m), bound = meters_.bound(m);
+    if (!meters_.known(m) && value - bound < threshold && value + bound >= threshold) sum += meters_.weight(m);
+  }
+  return sum / all_.up_to.back();
+}
+
 MeterRanks::MeterRanks(const MeterBatches& meters) : lower_(meters), upper_(meters.negative()) {}
 
 Interval MeterRanks::interval(size_t rank) const {
@@ -254,11 +270,13 @@ size_t MeterRanks::first_rank(double threshold, double Interval::*end) const {
   return first;
 }
 
-// True values whose interval lies above are surely above; those whose interval lies below surely are not.
+// True values whose interval lies above are surely above; those whose interval lies below surely are not, but for what
+// few paths found, whatever its rank.
 Interval MeterRanks::share_above_interval(double threshold) const {
   if (lower_.used() < min_batches_of_interval) return {};
-  return {lower_.share_from(first_rank(threshold, &Interval::low)),
-          lower_.share_from(first_rank(threshold, &Interval::high))};
+  const size_t surely = first_rank(threshold, &Interval::low), perhaps = first_rank(threshold, &Interval::high);
+  return {lower_.share_from(surely) - lower_.unsure_share(surely, count(), threshold),
+          lower_.share_from(perhaps) + lower_.unsure_share(0, perhaps, threshold)};
 }
 
 namespace {
@@ -287,8 +305,9 @@ void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter
     biases[b] = meters.bias_of_batch(b) * visits_of_batch(passes, b);
   }
   Spread value = meters.means() == 2 ? spread_of_halves(values, passes) : spread(values, passes);
-  const Spread bias = spread(biases, passes);
+  Spread bias = spread(biases, passes);
   s.mean_bias_lx = bias.mean;
+  if (const double told = meters.told_bias(); std::abs(told) > std::abs(bias.mean)) bias.mean = told;
   if (value.standard_error < 0) return;
   value.standard_error = std::sqrt(std::pow(value.standard_error, 2) + meters.choice_variance());
   if (known) s.mean_standard_error_lx = value.standard_error;

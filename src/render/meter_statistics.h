@@ -35,6 +35,7 @@ class MeterBatches {
   uint32_t means() const { return means_; }  // that batches are about: 2 where some meter's halves differ
   double value(size_t m) const { return meters_[m].value; }
   double weight(size_t m) const { return meters_[m].weight; }
+  bool known(size_t m) const { return meters_[m].known; }
   float batch(size_t m, uint32_t b) const { return batches_[m * used_ + b]; }
   double standard_error(size_t m) const;
   // 95 %, noise where it is known, bias, and what is unfound.
@@ -49,6 +50,7 @@ class MeterBatches {
   double unfound() const;          // of the mean
   double choice_variance() const;  // of the mean
   double stated_bound() const { return stated_; }  // of the one added last; < 0: it has none
+  double told_bias() const;  // of the mean, as neighbours and profiles tell it of each
   double mean_of_batch(uint32_t b) const;
   double bias_of_batch(uint32_t b) const { return bias_sums_[b] / weights_; }  // of the mean
   // Of value / mean, by the batches of both together.
@@ -80,6 +82,8 @@ class LowerRanks {
   size_t rank_at(double share) const;  // that this share of the weight is below
   double share_from(size_t rank) const { return 1 - all_.up_to_rank(rank) / all_.up_to.back(); }  // of the weight
   Interval interval(size_t rank) const;  // 95 %; of the upper half the negative meters' ranks tell more
+  // Of the weight: what few paths found, from the first rank on before the last, and may be on either side of a threshold.
+  double unsure_share(size_t first, size_t last, double threshold) const;
 
  private:
   struct Order {

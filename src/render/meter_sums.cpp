@@ -117,6 +117,12 @@ double MeterLight::mean_of(LightPart part) const {
   return part == direct_light ? direct : spread(sums.value, visits).mean - (part == whole_light ? 0 : direct);
 }
 
+double MeterLight::merged_lx() const {
+  if (visits == 0) return 0;
+  const double exact = merges_direct ? sums.exact : sums.exact_mirrored;
+  return std::max(0.0, mean_of(merges_direct ? whole_light : indirect_light) - exact / visits);
+}
+
 ups_meter_part_reading MeterLight::part(ups_light_part part) const {
   if (visits == 0) return {-1, -1, -1, -1};
   const LightPart of = light_part(part);

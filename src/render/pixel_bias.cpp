@@ -10,15 +10,15 @@ void PixelBias::end_pass(uint32_t pass) {
   std::fill(pending_.begin(), pending_.end(), 0.0);
 }
 
-std::vector<Spread> PixelBias::of_squares(uint32_t passes, const std::vector<float>& light) const {
-  std::vector<double> sum(pending_.size());
-  for (uint32_t p = 0; p < light.size(); ++p) sum[square_of(p)] += light[p];
-  std::vector<Spread> squares(sum.size());
-  for (size_t i = 0; i < sum.size(); ++i) {
-    if (!(sum[i] > 0)) continue;
+std::vector<PixelBias::OfSquare> PixelBias::of_squares(uint32_t passes, const std::vector<float>& light) const {
+  std::vector<uint32_t> pixels(pending_.size());
+  std::vector<OfSquare> squares(pending_.size());
+  for (uint32_t p = 0; p < light.size(); ++p) ++pixels[square_of(p)], squares[square_of(p)].light += light[p];
+  for (size_t i = 0; i < squares.size(); ++i) {
+    if (!(squares[i].light > 0)) continue;
     double sums[batch_count];
-    for (uint32_t b = 0; b < std::min(passes, batch_count); ++b) sums[b] = batches_[b][i] / sum[i];
-    squares[i] = spread(sums, passes);
+    for (uint32_t b = 0; b < std::min(passes, batch_count); ++b) sums[b] = batches_[b][i] / pixels[i];
+    squares[i] = {spread(sums, passes), squares[i].light / pixels[i]};
   }
   return squares;
 }
@@ -30,11 +30,13 @@ Spread PixelBias::own(uint32_t pixel, uint32_t visits) const {
   return own;
 }
 
-Spread PixelBias::of_pixel(uint32_t pixel, uint32_t visits, float light, const std::vector<Spread>& squares) const {
+Spread PixelBias::of_pixel(uint32_t pixel, uint32_t visits, float light,
+                           const std::vector<OfSquare>& squares) const {
   const Spread own = this->own(pixel, visits);
   if (own.standard_error >= 0 && std::abs(own.mean) > 3 * own.standard_error) return own;
-  const Spread& square = squares[square_of(pixel)];
-  return {square.mean * light, square.standard_error * light};
+  const OfSquare& square = squares[square_of(pixel)];
+  const double times = light > square.light && square.light > 0 ? light / square.light : 1;
+  return {square.bias.mean * times, square.bias.standard_error * times};
 }
 
 }  // namespace ups

@@ -29,10 +29,16 @@ class PixelBias {
 
   float mean(uint32_t pixel, uint32_t visits) const { return visits ? sums_[pixel] / float(visits) : 0; }
   Spread own(uint32_t pixel, uint32_t visits) const;
-  // light: luminance, or illuminance. By square, over its mean light, with the noise of that; of whole passes.
-  std::vector<Spread> of_squares(uint32_t passes, const std::vector<float>& light) const;
-  // The pixel's own where it is beyond doubt, else its square's, in proportion to its light.
-  Spread of_pixel(uint32_t pixel, uint32_t visits, float light, const std::vector<Spread>& squares) const;
+  // Of a square: of its mean light.
+  struct OfSquare {
+    Spread bias{};
+    double light = 0;
+  };
+  // light: luminance, or illuminance; of whole passes.
+  std::vector<OfSquare> of_squares(uint32_t passes, const std::vector<float>& light) const;
+  // The pixel's own where it is beyond doubt, else its square's: as it is at a pixel that is darker than the square, as
+  // what makes another bright need not be merged, in proportion to its light at a brighter one.
+  Spread of_pixel(uint32_t pixel, uint32_t visits, float light, const std::vector<OfSquare>& squares) const;
 
  private:
   size_t square_of(uint32_t pixel) const { return size_t(pixel / width_ / side) * columns_ + pixel % width_ / side; }

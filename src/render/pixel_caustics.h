@@ -61,7 +61,7 @@ struct PixelMergeSums {
   }
   // What is told by all pixels at once: see PixelBias::of_squares and PixelCaustics::unfound.
   struct Errors {
-    std::vector<Spread> squares;
+    std::vector<PixelBias::OfSquare> squares;
     std::vector<PixelCaustics::Unfound> unfound;
   };
 };

@@ -144,6 +144,8 @@ double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
 }
 
 // What the meter may differ from its neighbours in stands for twice its standard error, 95 %: a bound counts it once.
+// Profiles are of what lands on the disc alone: a bias beyond doubt, which holds what eye paths merge farther on, stays
+// where they show less.
 Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const {
   const RingProfile& own = meters_[m];
   if (!(own.lx > 0)) return bias;
@@ -151,7 +153,9 @@ Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRing
   const StepBias both{0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance),
                       0.5 * (a.told_variance + b.told_variance)};
   const double edge = std::hypot(bias_by_edge(m, discs[0]), bias_by_edge(m, discs[1])) / std::sqrt(2.0);
-  if (both.is_beyond(2)) return {both.mean * own.lx, std::max(std::sqrt(both.variance()), edge) * own.lx};
+  const bool more = std::abs(bias.mean) > std::max(2 * bias.standard_error, std::abs(both.mean) * own.lx);
+  if (both.is_beyond(2) && !more)
+    return {both.mean * own.lx, std::max(std::sqrt(both.variance()), edge) * own.lx};
   return {bias.mean, std::max({bias.standard_error, 2 * std::sqrt(both.own_variance) * own.lx, edge * own.lx})};
 }
 

@@ -7,7 +7,7 @@
 
 namespace ups {
 
-// Of a meter, estimated by itself. bias_scale: of its disc (Rings); 0: without one.
+// Of a meter, estimated by itself. lx: of the light that may be merged; bias_scale: of its disc (Rings); 0: without one.
 struct OwnBias {
   Spread bias;
   double lx, bias_scale;

@@ -92,13 +92,11 @@ void find_glass_without_room(const Snapshot& scene, ThreadPool& threads, Warning
 
 template <class Find>
 void search(SearchedWarnings& searched, Warnings& out, const Find& find) {
+  const std::lock_guard search(searched.searching);
+  Warnings found;
+  if (!searched.known) find(found);  // which this thread alone may change
   const std::lock_guard lock(searched.mutex);
-  if (!searched.known) {
-    Warnings found;
-    find(found);
-    searched.texts = std::move(found);
-    searched.known = true;
-  }
+  if (!searched.known) searched.texts = std::move(found), searched.known = true;
   out.insert(out.end(), searched.texts.begin(), searched.texts.end());
 }
 
@@ -119,8 +117,7 @@ std::vector<std::string> known_warnings(const Snapshot& scene) {
   Warnings out;
   for (SearchedWarnings* searched : {scene.surface_search.get(), scene.light_search.get()}) {
     if (!searched) continue;
-    const std::unique_lock lock(searched->mutex, std::try_to_lock);
-    if (!lock.owns_lock()) continue;  // somebody searches right now, for as long as that takes
+    const std::lock_guard lock(searched->mutex);
     out.insert(out.end(), searched->texts.begin(), searched->texts.end());
   }
   return out;

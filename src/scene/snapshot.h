@@ -75,7 +75,8 @@ struct EmitterProbe {
 
 // Warnings that take long to find: once, for all builds in which they are the same.
 struct SearchedWarnings {
-  std::mutex mutex;
+  std::mutex searching;  // held as long as a search takes
+  std::mutex mutex;      // guards what follows, never for long
   bool known = false;
   std::vector<std::string> texts;
 };

@@ -58,11 +58,22 @@ SensorEntry add_own_goniometer(ups_scene* scene, const ups_goniometer_desc& grid
   return entry;
 }
 
+// Scene files state no opening.
+void state_opening(ups_scene* scene, ups_sensor_id goniometer, const ups_goniometer_desc& stated) {
+  ups_goniometer_desc desc;
+  ups_goniometer_desc_init(&desc, sizeof desc);
+  check(ups_scene_get_goniometer(scene, goniometer, &desc));
+  desc.opening_shape = stated.opening_shape;
+  std::copy(std::begin(stated.opening_m), std::end(stated.opening_m), desc.opening_m);
+  check(ups_scene_set_goniometer(scene, goniometer, &desc));
+}
+
 // The scene with one goniometer and no other sensor.
 LoadedScene load(const GoniometerOptions& options) {
   LoadedScene scene = import_scene(options.scene, {options.threads, 0, 0, options.allow_outside});
   const SensorEntry* own = find_goniometer(scene, options);
   const SensorEntry chosen = own ? *own : add_own_goniometer(scene.owned.get(), options.grid);
+  if (own) state_opening(scene.owned.get(), chosen.info.sensor, options.grid);
   for (const SensorEntry& sensor : scene.sensors)
     if (sensor.info.sensor.v != chosen.info.sensor.v)
       check(ups_scene_remove_sensor(scene.owned.get(), sensor.info.sensor));

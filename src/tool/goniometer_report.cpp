@@ -61,16 +61,23 @@ Profile make_profile(const ups_result* result, const SensorEntry& goniometer, co
   Profile profile(taken);
   const ups_goniometer_info& info = render.goniometers[0].info;
   const auto set = [&](const char* name, const std::string& value) { profile = with_keyword(profile, name, value); };
-  set("TEST", format("UPS %s virtual goniophotometer, %s, %u iterations, seed %llu, worst error %s",
-                     version_number().c_str(), method_word(render.info.method).c_str(), render.info.iterations,
-                     Seed(render.info.seed), percent_text(info.worst_relative_error_bound).c_str()));
+  // EULUMDAT has 78 characters for it.
+  set("TEST", format("UPS %s goniophotometer, worst error %s, %s, %u iterations, seed %llu", version_number().c_str(),
+                     percent_text(info.worst_relative_error_bound).c_str(), method_word(render.info.method).c_str(),
+                     render.info.iterations, Seed(render.info.seed)));
   set("MANUFAC", "");
   set("LUMINAIRE", luminaire);
   set("LAMP", "the sources of the model");
+  const std::string beyond =
+      info.outside_flux_lm > 0
+          ? format(", of which %s beyond the angles of this table",
+                   percent_text(info.light_output_ratio * info.outside_flux_lm / info.flux_lm).c_str())
+          : std::string();
   set("OTHER",
-      format("light output ratio %s, standard error %s; errors of a node's intensity: 95 %%, noise and blur, of at "
+      format("light output ratio %s%s, standard error %s; errors of a node's intensity: 95 %%, noise and blur, of at "
              "least 5 %% of the peak: median %s, worst %s",
-             percent_text(info.light_output_ratio).c_str(), error_text(info.light_output_ratio_standard_error).c_str(),
+             percent_text(info.light_output_ratio).c_str(), beyond.c_str(),
+             error_text(info.light_output_ratio_standard_error).c_str(),
              percent_text(info.median_relative_error_bound).c_str(),
              percent_text(info.worst_relative_error_bound).c_str()));
   return profile;

@@ -96,10 +96,10 @@ std::string parse_opening(const std::string& text, ups_goniometer_desc& grid) {
 }
 
 void add_opening(CLI::App& command, GoniometerOptions& options) {
-  add_grid_option(
-      command, options, "--opening",
-      [](const std::string& text, ups_goniometer_desc& grid) { parse_opening(text, grid); },
-      "Luminous opening that the file states: disc:DIAMETER or rectangle:XxY, m; without it a point")
+  command
+      .add_option_function<std::string>(
+          "--opening", [&options](const std::string& text) { parse_opening(text, options.grid); },
+          "Luminous opening that the file states: disc:DIAMETER or rectangle:XxY, m; without it a point")
       ->check(CLI::Validator(
           [](const std::string& text) {
             ups_goniometer_desc ignored{};

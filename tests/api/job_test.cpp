@@ -131,6 +131,20 @@ TEST_F(Jobs, ProgressTellsTheTimeBeforeTheFirstIteration) {
   EXPECT_EQ(poll(job).elapsed_s, end_s) << "a job that is over has its time";
 }
 
+// No later iteration is promised.
+TEST_F(Jobs, CancelledBeforeItsFirstIterationItHasNoResult) {
+  ups_render_desc desc = of_iterations(1);
+  desc.method = UPS_METHOD_UPS;
+  desc.light_paths_per_iteration = 1u << 24;
+  start(desc);
+  ups_job_cancel(job);
+  ASSERT_EQ(ups_job_wait(job, patience_ms), UPS_CANCELLED);
+  if (poll(job).iterations_done > 0) GTEST_SKIP() << "it was quicker";
+  ups_result* result = nullptr;
+  EXPECT_EQ(ups_job_result(job, &result), UPS_ERROR_INVALID_STATE);
+  EXPECT_NE(std::string(ups_last_error()).find("was cancelled before"), std::string::npos) << ups_last_error();
+}
+
 TEST_F(Jobs, WaitReturnsAtItsTimeout) {
   start(endless());
   EXPECT_EQ(ups_job_wait(job, 0), UPS_TIMEOUT);

@@ -95,4 +95,18 @@ TEST_F(MemoryOfEdits, FixturesGiveTheirMemoryBack) {
   ups_fixture_destroy(fixture);
 }
 
+// The handle of a commit that is done keeps nothing of what it built.
+TEST_F(MemoryOfEdits, ADoneCommitsJobKeepsNothingThatIsRemoved) {
+  add(), remove_all();
+  const long before = bytes_allocated();
+  instances_.push_back(scene_.add(icosphere({2, 2, 1}, 0.5, 6), matte(0.5)));
+  ups_job* job = nullptr;
+  check(ups_scene_start_commit(scene_.get(), &job), "ups_scene_start_commit");
+  EXPECT_EQ(ups_job_wait(job, 60000), UPS_OK) << ups_last_error();
+  EXPECT_GT(bytes_allocated() - before, 1 << 20);
+  remove_all();
+  EXPECT_LT(bytes_allocated() - before, 1 << 18);
+  ups_job_destroy(job);
+}
+
 }  // namespace

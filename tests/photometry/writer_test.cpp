@@ -280,6 +280,22 @@ TEST(Writer, EveryEulumdatFieldHasItsLength) {
   }
 }
 
+// Width 0 would make a luminaire round, and of no size.
+TEST(Writer, EulumdatOfABodyThatNobodyStatedHasItsOpenings) {
+  Photometry p{Distribution({0}, {0, 90}, {100, 0})};
+  p.opening.shape = OpeningShape::rectangle;
+  p.opening.size_m[0] = 0.6f, p.opening.size_m[1] = 0.3f;
+  Photometry ldt = again(write_eulumdat(p));
+  EXPECT_EQ(keyword(ldt, "_LENGTH_MM"), "300");
+  EXPECT_EQ(keyword(ldt, "_WIDTH_MM"), "600");
+  EXPECT_EQ(keyword(ldt, "_HEIGHT_MM"), "(none)");
+  p.keywords = {{"_LENGTH_MM", "400"}, {"_HEIGHT_MM", "50"}};
+  ldt = again(write_eulumdat(p));
+  EXPECT_EQ(keyword(ldt, "_LENGTH_MM"), "400");
+  EXPECT_EQ(keyword(ldt, "_WIDTH_MM"), "(none)") << "0: round";
+  EXPECT_EQ(keyword(ldt, "_HEIGHT_MM"), "50");
+}
+
 TEST(Writer, EulumdatOfWhatEndsAboveTheHorizonGoesDown) {
   for (const double last : {60.0, 85.0}) {
     const std::vector<double> g = steps(0, last, size_t(last / 5));

@@ -106,6 +106,51 @@ Coverage coverage_of(const Field& field, double common, double halves, std::mt19
   return c;
 }
 
+struct Few {
+  double value, bound;
+};
+// Ninety of 20 to 100 lx, known to 0.1 lx, and some that few paths found.
+MeterBatches beside(const std::vector<Few>& few) {
+  const double no_bias[batch_count] = {};
+  MeterBatches meters(batch_count);
+  const auto add = [&](double value, double bound, bool known) {
+    double batch[batch_count];
+    for (uint32_t b = 0; b < batch_count; ++b) batch[b] = value + (known ? (b % 2 ? 0.4 : -0.4) : 0);
+    meters.add({value, {0, 0}, bound, 1, known}, batch, no_bias);
+  };
+  for (int m = 0; m < 90; ++m) add(20 + 80.0 / 89 * m, 0, true);
+  for (const Few& f : few) add(f.value, f.bound, false);
+  return meters;
+}
+
+// Ten that no path has found may all be above a threshold that their bounds hold, or, of a bright one, below it: their
+// ranks do not say so.
+TEST(MeterStatistics, SharesHoldWhatFewPathsFound) {
+  const Interval surely = MeterRanks(beside(std::vector<Few>(10, {0, 1}))).share_above_interval(30),
+                 dark = MeterRanks(beside(std::vector<Few>(10, {0, 50}))).share_above_interval(30),
+                 bright = MeterRanks(beside(std::vector<Few>(10, {90, 80}))).share_above_interval(30);
+  EXPECT_NEAR(surely.low, 0.785, 0.02);
+  EXPECT_NEAR(surely.high, 0.785, 0.02);
+  EXPECT_GE(dark.high, surely.low + 0.1);
+  EXPECT_NEAR(dark.low, surely.low, 0.02);
+  EXPECT_LE(bright.low, surely.low);
+  EXPECT_GE(bright.high, surely.high + 0.1);
+}
+
+// What neighbours and profiles tell of each meter's bias is told of the mean, too, where its own fits show less.
+TEST(MeterStatistics, TheMeanHasTheBiasThatIsToldOfItsMeters) {
+  const double no_bias[batch_count] = {};
+  double batch[batch_count];
+  for (uint32_t b = 0; b < batch_count; ++b) batch[b] = 100 + (b % 2 ? 0.4 : -0.4);
+  for (const double told : {0.0, 5.0, -5.0}) {
+    MeterBatches meters(batch_count);
+    for (int m = 0; m < 10; ++m) meters.add({100, {told, 1}, 0}, batch, no_bias);
+    const double bound = meter_statistics(meters, batch_count, true).mean_error_bound_lx;
+    EXPECT_GE(bound, std::abs(told));
+    EXPECT_LE(bound, std::abs(told) + 1);
+  }
+}
+
 // Fields in which the least reading is one of many alike, of a slope, of a dark corner, or alone. 1000 renders of each:
 // standard deviation of a share of 95 % 0.7 %; one that truly is 95 % is found outside 92.5 to 97.5 % once in 2000. So
 // intervals that cover less than 91 % would be found, and, were they of the plain kind (min +- t s), at once: in a flat

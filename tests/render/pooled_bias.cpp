@@ -1,6 +1,8 @@
 // What neighbours say of a disc's bias: less noise where light curves alike, nothing where it does not. Fixed seeds.
 #include "render/pooled_bias.h"
 
+#include "render/meter_sums.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -103,6 +105,21 @@ TEST(PooledBias, FewMetersAreAlone) {
   Row row(0, 0);
   row.own.resize(4);
   for (const NeighbourCurvature& n : neighbour_curvatures(row.own)) EXPECT_FALSE(n.tell());
+}
+
+// A shadow beside bright light straight from a lamp that no photon brings: curvature is told as a share of what photons
+// bring, which is alike. By all light the lit meters' seemed a twentieth of it, and the shadow's bias went with it.
+TEST(PooledBias, OnlyLightThatMayBeMergedIsBlurred) {
+  MeterLight light{};
+  light.visits = batch_count;
+  for (uint32_t b = 0; b < batch_count; ++b) light.sums.value[b] = 1000, light.sums.direct[b] = 940;
+  EXPECT_DOUBLE_EQ(light.own_bias().lx, 60);
+  light.sums.exact_mirrored = 10 * batch_count;
+  EXPECT_DOUBLE_EQ(light.own_bias().lx, 50);
+  light.merges_direct = true, light.sums.exact = 100 * batch_count;
+  EXPECT_DOUBLE_EQ(light.own_bias().lx, 900);
+  light.visits = 0;
+  EXPECT_EQ(light.own_bias().lx, 0);
 }
 
 }  // namespace

@@ -136,7 +136,17 @@ class Measures(GoniometerTest):
                                delta=digits * read["peak_cd"] if name.endswith(".ldt") else 1e-4)
         words = {k["name"]: k["value"] for k in read["keywords"]}
         self.assertEqual((words["MANUFAC"], words["LUMCAT"], words["LUMINAIRE"]), ("Example", "A1", "cone_light"))
-        self.assertRegex(words["TEST"], r"^UPS \d+\.\d+\.\d+ virtual goniophotometer, lt, 16 iterations, seed 1, worst")
+        self.assertRegex(words["TEST"], r"^UPS \d+\.\d+\.\d+ goniophotometer, worst error \S+ %, lt, 16 iterations, "
+                                        r"seed 1$")
+
+    def test_the_file_tells_of_light_beyond_its_table(self):
+        """The ratio counts all light that leaves; what the angles do not hold is in no intensity."""
+        scene = self.write("narrow.gltf", alone(goniometer("narrow", gamma_deg=[0, 10, 20, 30], c_step_deg=90)))
+        self.run_program("goniometer", scene, "--iterations", 16, "--out", self.path("narrow.ies"))
+        told = next(k["value"] for k in self.info("narrow.ies")["keywords"] if k["name"] == "OTHER")
+        ratio, beyond = (float(n) / 100 for n in re.search(r"ratio (\S+) %, of which (\S+) % beyond", told).groups())
+        self.assertGreater(beyond, 0.1)
+        self.assertAlmostEqual(self.info("narrow.ies")["interpolated_flux_lm"] / FLUX, ratio - beyond, delta=0.03)
 
     def test_text_and_same_seed_same_file(self):
         for name in ("a.ies", "b.ies"):
@@ -317,8 +327,12 @@ class Refuses(GoniometerTest):
         dark = self.write("dark.gltf", scene_of({"name": "nothing"}))
         self.expect_failure("goniometer", dark, words=["dark.gltf", "nothing in it emits light", "fixture"])
         one = self.write("one.gltf", alone(goniometer("far field", gamma_step_deg=5)))
-        for option, value in (("--c-step", 30), ("--gamma-step", 5), ("--symmetry", "axial"), ("--opening", "disc:1")):
+        for option, value in (("--c-step", 30), ("--gamma-step", 5), ("--symmetry", "axial")):
             self.expect_failure("goniometer", one, option, value, words=[option, "far_field", "in the file"], code=2)
+        self.run_program("goniometer", one, "--iterations", 4, "--opening", "rectangle:0.3x0.1", "--out",
+                         self.path("one.ies"))
+        opening = self.info("one.ies")["opening"]
+        self.assertEqual((opening["shape"], opening["size_m"][:2]), ("rectangle", [0.3, 0.1]))
         self.expect_failure("goniometer", one, "--name", "near", words=["--name near", "far_field"], code=2)
         two = self.write("two.gltf", alone(goniometer("a"), goniometer("b")))
         self.expect_failure("goniometer", two, words=["2 goniometers", "--name", "a, b"], code=2)

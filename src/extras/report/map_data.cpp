@@ -243,7 +243,8 @@ std::vector<float> within_image(const SensorInfo& camera, std::vector<float> val
   const double r = 0.5 * camera.height;
   for (size_t i = 0; i < values.size(); ++i) {
     const double x = double(i % camera.width) + 0.5 - 0.5 * camera.width, y = double(i / camera.width) + 0.5 - r;
-    if (x * x + y * y > r * r) values[i] = -1;
+    // Of a pixel that the circle crosses the part beyond it counts as black.
+    if (std::hypot(std::abs(x) + 0.5, std::abs(y) + 0.5) > r) values[i] = -1;
   }
   return values;
 }
