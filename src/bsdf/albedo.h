@@ -1,8 +1,8 @@
 // How much light does one scattering by a rough interface return, and how much does it lose to facets that shadow each
 // other? Tables behind the energy compensation of the rough models (Kelemen, Szirmay-Kalos 2001; Kulla, Conty 2017).
 //
-// "Missing" is 1 - directional albedo of single scattering without absorption. The tables are computed on first use
-// (C++ guarantees that once, whatever the threads) and depend on nothing else.
+// "Missing" is 1 - directional albedo of single scattering without absorption. The tables are computed on first use,
+// once or, where threads need them at the same time, by each of them (one is kept), and depend on nothing else.
 //
 // With compensation, albedos that should be 1 are so within 0.4 % for metal, 0.5 % for plastic of ior 1.2 to 2 (1 %
 // from 1.02 to 3) and 1.3 % for glass of ior 1.05 to 3 (2.1 % at 1.02). Beyond ior 3 the tables are those of 3.

@@ -78,7 +78,7 @@ void CommitJob::run() {
     error.keep();
   }
   description_.reset();
-  builds_->end(state == UPS_JOB_FINISHED ? made : nullptr);
+  builds_->end(state == UPS_JOB_FINISHED ? std::move(made) : nullptr);
   const std::lock_guard lock(mutex_);
   state_ = state, error_ = error.status;
   message_.swap(error.message);

@@ -160,7 +160,7 @@ ups_memory_estimate RenderJob::estimate() {
 
 ups_memory_estimate RenderJob::memory() const {
   const std::lock_guard lock(mutex_);
-  if (!estimated_) throw Error(UPS_ERROR_INVALID_STATE, "the job is not prepared yet, or failed before it was");
+  if (!estimated_) throw Error(UPS_ERROR_INVALID_STATE, "the job is not prepared yet, or ended before it was");
   return *estimated_;
 }
 

@@ -29,15 +29,15 @@ class PixelBias {
 
   float mean(uint32_t pixel, uint32_t visits) const { return visits ? sums_[pixel] / float(visits) : 0; }
   Spread own(uint32_t pixel, uint32_t visits) const;
-  // Of a square: of its mean light.
+  // Means over those pixels of a square that have merged photons.
   struct OfSquare {
     Spread bias{};
     double light = 0;
   };
   // light: luminance, or illuminance; of whole passes.
   std::vector<OfSquare> of_squares(uint32_t passes, const std::vector<float>& light) const;
-  // The pixel's own where it is beyond doubt, else its square's: as it is at a pixel that is darker than the square, as
-  // what makes another bright need not be merged, in proportion to its light at a brighter one.
+  // The pixel's own where it is beyond doubt, else its square's: in proportion to its light where it has merged photons and
+  // is brighter than the square, otherwise as it is, as what makes another bright need not be merged.
   Spread of_pixel(uint32_t pixel, uint32_t visits, float light, const std::vector<OfSquare>& squares) const;
 
  private:

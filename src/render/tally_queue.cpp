@@ -19,7 +19,7 @@ void TallyQueue::deliver(Delivery& delivery, const StopSignal& stop, const std::
     std::unique_lock lock(mutex_);
     const auto is_free = [&] { return !held_ && readers_ == 0; };  // all is added at once
     const auto has_room = [&] {
-      return failure_ || waiting_bytes_ + bytes <= most_bytes_ || is_free() || delivery.is_last;
+      return failure_ || waiting_.empty() || waiting_bytes_ + bytes <= most_bytes_ || is_free() || delivery.is_last;
     };
     while (!has_room() && !stop.is_set()) changed_.wait_for(lock, patience);
     if (failure_) std::rethrow_exception(failure_);

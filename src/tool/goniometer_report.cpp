@@ -62,7 +62,7 @@ Profile make_profile(const ups_result* result, const SensorEntry& goniometer, co
   const ups_goniometer_info& info = render.goniometers[0].info;
   const auto set = [&](const char* name, const std::string& value) { profile = with_keyword(profile, name, value); };
   // EULUMDAT has 78 characters for it.
-  set("TEST", format("UPS %s goniophotometer, worst error %s, %s, %u iterations, seed %llu", version_number().c_str(),
+  set("TEST", format("UPS %s, worst error %s, %s, %u iterations, seed %llu", version_number().c_str(),
                      percent_text(info.worst_relative_error_bound).c_str(), method_word(render.info.method).c_str(),
                      render.info.iterations, Seed(render.info.seed)));
   set("MANUFAC", "");

@@ -118,18 +118,22 @@ TEST(PixelBias, NoiseIsThatOfTheMean) {
   EXPECT_DOUBLE_EQ(own.standard_error, 0.5 / std::sqrt(15.0));
 }
 
-// Beside a lamp that a square of pixels shows, the others keep the square's bias: what makes the lamp bright is not merged.
+// Where half of a square shows a lamp, which merges nothing, the others keep the bias that they have together, in
+// proportion to their light where it is more than theirs in the mean; the lamp is no brighter for it.
 TEST(PixelBias, DarkPixelsBesideALampHaveTheirSquaresBias) {
   PixelBias bias(8, 8);
   std::vector<float> light(64, 50.0f);
-  light[0] = 1e5f;
+  std::fill_n(light.begin(), 32, 1e5f);
+  light[63] = 100;
   for (uint32_t i = 0; i < 16; ++i) {
-    for (uint32_t p = 1; p < 64; ++p) bias.add(p, (i + p) % 2 ? 20.0f : -16.0f);  // 2, in 18 of noise
+    for (uint32_t p = 32; p < 64; ++p) bias.add(p, (i + p) % 2 ? 20.0f : -16.0f);  // 2, in 18 of noise
     bias.end_pass(i);
   }
   const auto squares = bias.of_squares(16, light);
-  EXPECT_NEAR(bias.of_pixel(9, 16, light[9], squares).mean, 2 * 63 / 64.0, 0.3);
-  EXPECT_GT(bias.of_pixel(0, 16, light[0], squares).mean, 2);
+  const double mean = (31 * 50 + 100) / 32.0;
+  EXPECT_NEAR(bias.of_pixel(40, 16, light[40], squares).mean, 2, 1e-5);
+  EXPECT_NEAR(bias.of_pixel(63, 16, light[63], squares).mean, 2 * 100 / mean, 1e-5);
+  EXPECT_NEAR(bias.of_pixel(0, 16, light[0], squares).mean, 2, 1e-5);
 }
 
 }  // namespace

@@ -167,7 +167,8 @@ double stated_loss(const Result& result) {
 // A furnace, where all surfaces emit and reflect half: 20 pi lx everywhere. A sphere in it with smooth normals on a
 // coarse mesh loses light where the two kinds of normals disagree and where the terminator is softened: what is missing
 // at the walls is what the result states: within a tenth of it and the noise of both, 0.04 % of the readings. At the limit
-// of noise, 0.02 %, a false alarm takes 3 standard errors, P(|t_15| > 3) = 0.9 %; 0.1 % that is not stated is found. With a normal of its own for each face nothing is lost, and nothing stated.
+// of noise, 0.02 %, a false alarm takes 3 standard errors, P(|t_15| > 3) = 0.9 %; 0.1 % that is not stated is found.
+// With a normal of its own for each face nothing is lost, and nothing stated.
 TEST(Taught, TerminatorLossesInWhiteRoomsAreStated) {
   const double rho = 0.5, luminance = 10, expected = pi_d * luminance / (1 - rho);
   double before = 1;

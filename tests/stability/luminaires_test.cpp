@@ -9,9 +9,9 @@
 namespace ups::test {
 namespace {
 
-// A beam of 0.1 degrees, linear from its peak to 0, which is all of its lamp's rated flux: the file's lumens, and the illuminance by I(gamma) / d^2 on its axis
-// and beside it, to 0.1 % where next-event estimation brings it without noise, and by landings on a cell that holds all
-// of it: at a standard error of 0.15 %, asserted, 0.5 % or four of them are allowed, so that 1 % is found in 99 of 100
+// A beam of 0.1 degrees, linear from its peak to 0, which is all of its lamp's rated flux: the file's lumens, and the
+// illuminance by I(gamma) / d^2 on its axis and beside it, to 0.1 % where next-event estimation brings it without noise,
+// and by landings on a cell that holds all of it: at a standard error of 0.15 %, asserted, 0.5 % or four of them are allowed, so that 1 % is found in 99 of 100
 // cases (false alarms: expect_lx.h).
 TEST(Hazard25, ANeedleOfATenthOfADegreeKeepsItsIlluminance) {
   constexpr double peak = 1e6, edge = 0.1 * pi_d / 180, d = 10;

@@ -242,9 +242,9 @@ std::vector<float> within_image(const SensorInfo& camera, std::vector<float> val
   if (camera.projection != UPS_EQUIDISTANT && camera.projection != UPS_EQUISOLID) return values;
   const double r = 0.5 * camera.height;
   for (size_t i = 0; i < values.size(); ++i) {
-    const double x = double(i % camera.width) + 0.5 - 0.5 * camera.width, y = double(i / camera.width) + 0.5 - r;
-    // Of a pixel that the circle crosses the part beyond it counts as black.
-    if (std::hypot(std::abs(x) + 0.5, std::abs(y) + 0.5) > r) values[i] = -1;
+    const double x = std::abs(double(i % camera.width) + 0.5 - 0.5 * camera.width) + 0.5,
+                 y = std::abs(double(i / camera.width) + 0.5 - r) + 0.5;
+    if (x * x + y * y > r * r) values[i] = -1;  // where the circle crosses it, its part beyond counts as black
   }
   return values;
 }
