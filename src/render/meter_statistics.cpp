@@ -237,8 +237,9 @@ double LowerRanks::unsure_share(size_t first, size_t last, double threshold) con
   double sum = 0;
   for (size_t rank = first; rank < last; ++rank) {
     const uint32_t m = all_.meters[rank];
+    if (meters_.known(m)) continue;
     const double value = meters_.value(m), bound = meters_.bound(m);
-    if (!meters_.known(m) && value - bound < threshold && value + bound >= threshold) sum += meters_.weight(m);
+    if (value - bound < threshold && value + bound >= threshold) sum += meters_.weight(m);
   }
   return sum / all_.up_to.back();
 }

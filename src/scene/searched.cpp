@@ -92,7 +92,7 @@ void find_glass_without_room(const Snapshot& scene, ThreadPool& threads, Warning
 
 template <class Find>
 void search(SearchedWarnings& searched, Warnings& out, const Find& find) {
-  const std::lock_guard search(searched.searching);
+  const std::lock_guard alone(searched.searching);
   Warnings found;
   if (!searched.known) find(found);  // which this thread alone may change
   const std::lock_guard lock(searched.mutex);
