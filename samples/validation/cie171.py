@@ -130,8 +130,8 @@ def cases_5_8():
                   0.95: (512, 512, 1024)}  # iterations by UPS, BPT, PT
     # Of the tests, for standard errors of some 0.2 %: with 3 of them 1 % is found in 95 of 100 cases.
     short_paths = {rho: dict(ups=32 if rho > 0.3 else 16, bpt=16 if rho < 0.4 else 32 if rho < 0.5 else 64,
-                             pt=16 if rho < 0.4 else 32 if rho < 0.5 else 64 if rho < 0.6 else 256)
-                   for rho in REFLECTANCES if rho <= 0.6}
+                             pt=16 if rho < 0.4 else 32) for rho in REFLECTANCES if rho <= 0.5}
+    short_paths.update({0.6: dict(ups=32, bpt=88, pt=32), 0.7: dict(ups=48, bpt=96, pt=48), 0.8: dict(ups=72)})
     cases = []
     for rho, indirect in zip(REFLECTANCES, published):
         expected = ref.cube_mean(FLUX, 4, rho)
@@ -140,8 +140,7 @@ def cases_5_8():
                           lambda path, rho=rho: build_faces(path, 4, 4, 4, rho),
                           [Check(face, expected, note=note) for face in FACES], group="cie_5_8",
                           iterations=dict(zip(("ups", "bpt", "pt"), long_paths.get(rho, (64, 64, 64)))),
-                          fast=short_paths[rho] if rho in short_paths else
-                          ("ups", "bpt", "pt") if rho < 0.8 else ("ups",) if rho < 0.9 else ()))
+                          fast=short_paths.get(rho, ())))
     return cases
 
 
@@ -194,7 +193,7 @@ def cases_5_5():
                               lambda path, solid=solid, degrees=degrees: build_5_5(path, solid, degrees), [check],
                               methods=methods, cannot=cannot, group=f"cie_5_5_{kind}",
                               fast=("ups",) if solid else dict(ups=64, bpt=64, pt=64),
-                              iterations={"ups": {70: 256, 80: 512, 85: 2048}.get(degrees, 64)}))
+                              iterations={"ups": {70: 256, 80: 512, 85: 4096}.get(degrees, 64)}))
     return cases
 
 
@@ -272,7 +271,7 @@ def cases_5_6():
             checks += point_checks(name, letters, lx, percent)
         cases.append(Case(f"cie_5_6_{scenario}", f"5.6 reflector of {side:g} m x {side:g} m",
                           lambda path, side=side: build_5_6(path, side), checks, iterations=iterations,
-                          fast=("ups", "pt") if scenario != 1 else ("bpt", "pt")))
+                          fast={1: ("bpt", "pt"), 2: dict(ups=1536, pt=256), 3: ("ups", "pt")}[scenario]))
     return cases
 
 

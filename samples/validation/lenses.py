@@ -214,7 +214,7 @@ def case_plates_cone():
                                            lambda c, p=p, k=k: plates_transmittance(c, N, k, p)) for p in (True, False))
         checks.append(Check(f"plates_{k}", judged, note=f"with polarisation {100 * (exact / judged - 1):+.2f} %"))
     return Case("plates_cone", "stacks of 1 to 4 plates under a luminous surface, within 43 degrees", build_plates_cone,
-                checks, iterations=192, fast=("ups",), long=True)
+                checks, iterations=192, fast={"ups": 72}, long=True)
 
 
 # Diffuse light through one plate: a luminous box over it, the meter close below, a screen with a hole that ends what is

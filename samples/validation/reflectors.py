@@ -232,7 +232,7 @@ def ellipse_case(name, half_distance, radius, fine=1, **more):
 def cases():
     small = dict(methods=("ups",), cannot=(("bpt", TOO_SMALL), ("pt", TOO_SMALL)))
     return [
-        parabola_case("parabola", 0.040, 0.008, 0.05, 0.055, on_axis=0.26, fast={"ups": 128, "pt": 224},
+        parabola_case("parabola", 0.040, 0.008, 0.05, 0.055, on_axis=0.26, fast={"ups": 224, "pt": 224},
                       iterations=256),
         parabola_case("parabola_small", 0.060, 0.001, 0.05, 0.065, **small),
         collimated_case(),

@@ -145,7 +145,7 @@ def case_five_times():
             high = 100 * (CANDELA / (k * SIZE) ** 2 / lux - 1)
             checks.append(Check(name, lux, i, f"{name}, {k} D", f"I / d^2 is {high:.2f} % high"))
     return Case("five_times", "five-times rule: openings of luminaire files, disc, square, line and point",
-                build_five_times, checks, fast={"pt": 512})  # all methods shoot the same shadow rays
+                build_five_times, checks, fast={"pt": 832})  # all methods shoot the same shadow rays
 
 
 # Integrating spheres of 1 m radius. The references take the area of the polyhedron.
@@ -223,7 +223,7 @@ def case_off_centre():
         checks.append(Check("wall", direct + reflected, i, f"x {p[0]:+.2f} m",
                             f"direct {100 * direct / (direct + reflected):.0f} %"))
     return Case("sphere_off_centre", "integrating sphere, reflectance 0.7, source off the centre", build_off_centre,
-                checks, iterations=256, fast={"ups": 128, "pt": 256})
+                checks, iterations=256, fast={"ups": 96, "pt": 32})
 
 
 # Furnaces.
@@ -261,7 +261,7 @@ def case_white_furnace():
     """In front of a uniform luminance nothing that only scatters can be seen: E = pi L."""
     checks = [Check(f"cell_{k}", math.pi * LUMINANCE) for k in range(len(WHITE_CELLS))]
     return Case("furnace_white", "white furnace: things of reflectance 1 in a luminous room", build_white_furnace,
-                checks, iterations={"ups": 512, "bpt": 384, "pt": 128}, fast={"ups": 96, "pt": 64})
+                checks, iterations={"ups": 512, "bpt": 384, "pt": 128}, fast={"ups": 160, "pt": 64})
 
 
 FURNACE_RHO, FURNACE_L = 0.8, 100.0
@@ -281,7 +281,7 @@ def case_furnace():
     """L = Le / (1 - rho) everywhere, whatever the shape."""
     lux = math.pi * FURNACE_L / (1 - FURNACE_RHO)
     return Case("furnace", "closed furnace: all surfaces emit and reflect 0.8", build_furnace,
-                [Check("anywhere", lux, i, f"meter {i}") for i in range(4)], iterations=256, fast=("ups",))
+                [Check("anywhere", lux, i, f"meter {i}") for i in range(4)], iterations=256, fast={"ups": 160})
 
 
 # A closed room loses no light: with walls, things and a lamp of reflectance 1 all of it ends in the floor,
@@ -313,9 +313,9 @@ def case_balance(name, guests, **more):
 def cases():
     return [
         case_disc(), case_sphere(), *cases_polygons(), case_five_times(),
-        case_port(0.9, 0.05, fast={"ups": 32}), case_port(0.95, 0.02, fast=()), case_port(0.98, 0.05, fast=()),
+        case_port(0.9, 0.05, fast={"ups": 20}), case_port(0.95, 0.02, fast=()), case_port(0.98, 0.05, fast=()),
         case_off_centre(),
         case_white_furnace(), case_furnace(),
-        case_balance("flux_balance", ("glass", "mirror", "white"), fast=("ups",)),
+        case_balance("flux_balance", ("glass", "mirror", "white"), fast={"ups": 24}),
         case_balance("flux_balance_rough", ("rough glass", "rough metal"), fast=()),
     ]

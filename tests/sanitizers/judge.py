@@ -17,9 +17,7 @@ NAMES_AT_ONCE = 100  # a command's arguments have a length
 
 
 def cases_of(results):
-    """By name, without a parameter's value, which is an address."""
-    cases = {c.get("name").partition("  #")[0]: c
-             for c in xml.etree.ElementTree.parse(results).getroot().iter("testcase")}
+    cases = {c.get("name"): c for c in xml.etree.ElementTree.parse(results).getroot().iter("testcase")}
     if not cases:
         raise SystemExit(f"{results}: no test ran")
     return cases
