@@ -11,18 +11,15 @@ using namespace ups::api;
 
 namespace {
 
-ups_interval interval_of(double value, const Interval& i, double most) {
+ups_interval interval_of(const Known& k, double most) {
   const auto end = [&](double v) { return std::clamp(v, 0.0, most); };
-  if (i.low == -1 && i.high == -1) return {value, -1, -1};
-  return {value, end(i.low), end(i.high)};
+  if (k.interval.low == -1 && k.interval.high == -1) return {k.value, -1, -1};
+  return {k.value, end(k.interval.low), end(k.interval.high)};
 }
 
 ups_interval interval_of(const Ratio& r) { return {r.value, r.interval.low, r.interval.high}; }
 
-template <class Of>
-ups_interval of_ranks(const MeterBatches& meters, const Of& of) {
-  return meters.count() == 0 ? ups_interval{-1, -1, -1} : of(MeterRanks(meters));
-}
+constexpr ups_interval unknown{-1, -1, -1};
 
 }  // namespace
 
@@ -32,10 +29,7 @@ ups_status ups_result_get_meter_percentile(const ups_result* result, ups_sensor_
     const MeterBatches& meters = meters_of(result, sensor).batches;
     require(out, "out");
     check::range(share, 0, 1, "share");
-    *out = of_ranks(meters, [&](const MeterRanks& ranks) {
-      const size_t rank = ranks.rank_at(share);
-      return interval_of(ranks.value(rank), ranks.interval(rank), INFINITY);
-    });
+    *out = meters.count() == 0 ? unknown : interval_of(percentile(meters, share), INFINITY);
   });
 }
 
@@ -45,9 +39,7 @@ ups_status ups_result_get_meter_share(const ups_result* result, ups_sensor_id se
     const MeterBatches& meters = meters_of(result, sensor).batches;
     require(out, "out");
     check::finite(threshold_lx, "threshold_lx");
-    *out = of_ranks(meters, [&](const MeterRanks& ranks) {
-      return interval_of(ranks.share_above(threshold_lx), ranks.share_above_interval(threshold_lx), 1);
-    });
+    *out = meters.count() == 0 ? unknown : interval_of(share_above(meters, threshold_lx), 1);
   });
 }
 
@@ -69,7 +61,7 @@ ups_status ups_result_read_meter_ratios(const ups_result* result, ups_sensor_id 
       if (count != sets[k]->count())
         fail_argument("count is " + std::to_string(count) + "; the " + (k == 0 ? "numerator" : "denominator") +
                       " has " + std::to_string(sets[k]->count()) + " meters");
-    std::fill(out, out + count, ups_interval{-1, -1, -1});
+    std::fill(out, out + count, unknown);
     for (size_t k = 0; k < 2; ++k)
       if (read[k]->batches.count() != read[k]->meters.size()) return;
     for (size_t m = 0; m < read[0]->meters.size(); ++m) {

@@ -24,6 +24,7 @@ Quantity mean_of(const MeterBatches& meters) {
     q.bias_batches[b] = meters.bias_of_batch(b);
     q.bias += q.bias_batches[b] / meters.used();
   }
+  if (const double told = meters.told_bias(); std::abs(told) > std::abs(q.bias)) q.bias = told;
   return q;
 }
 

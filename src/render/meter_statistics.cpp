@@ -137,6 +137,23 @@ MeterBatches MeterBatches::negative() const {
   return out;
 }
 
+MeterBatches MeterBatches::moved(double sign) const {
+  MeterBatches out = *this;
+  for (size_t m = 0; m < count(); ++m) {
+    Meter& meter = out.meters_[m];
+    const double by = sign * offset(m);
+    meter.value += by;
+    for (uint32_t b = 0; b < used_; ++b) {
+      float& own = out.batches_[m * used_ + b];
+      own = meter.known ? float(double(own) + by) : float(meter.value);
+    }
+    meter.bias = {0, meter.known ? meter.bias.standard_error : 0};
+    meter.unfound = 0, meter.known = true;
+    out.widened_[m] = 0;
+  }
+  return out;
+}
+
 Interval minimum_interval(const MeterBatches& meters) {
   if (meters.count() == 0 || meters.used() < min_batches_of_interval) return {};
   double low = INFINITY, least = INFINITY;
@@ -217,74 +234,87 @@ Interval LowerRanks::interval_at(size_t rank) const {
   while (begin > 0 && value - this->value(begin - 1) <= noise) --begin;
   while (end < count && this->value(end) - value <= noise) ++end;
 
-  double batches[batch_count] = {}, offset = 0, bias_error = 0;
+  double batches[batch_count] = {}, bias_error = 0;
   const double before = all_.up_to_rank(begin), up_to = all_.up_to_rank(end);
   for (size_t i = begin; i < end; ++i) {
     const uint32_t m = all_.meters[i];
     const double part = meters_.weight(m) / (up_to - before);
-    offset += part * meters_.offset(m);
     bias_error += part * meters_.bias_error(m);
     for (uint32_t b = 0; b < meters_.used(); ++b) batches[b] += part * double(meters_.batch(m, b));
   }
   const double own = error_of_mean(meters_.used(), meters_.means(), [&](uint32_t b) { return batches[b]; });
-  const double below = offset + t_quantile(meters_.used(), meters_.means()) * std::hypot(own, bias_error);
+  const double below = t_quantile(meters_.used(), meters_.means()) * std::hypot(own, bias_error);
   const CrossReading cross =
       cross_reading(meters_, {by_half_[0].between(before, up_to), by_half_[1].between(before, up_to)});
   return {std::min(value - below, cross.value - cross.above), std::max(value + below, cross.value + cross.above)};
 }
 
-double LowerRanks::unsure_share(size_t first, size_t last, double threshold) const {
-  double sum = 0;
-  for (size_t rank = first; rank < last; ++rank) {
-    const uint32_t m = all_.meters[rank];
-    if (meters_.known(m)) continue;
-    const double value = meters_.value(m), bound = meters_.bound(m);
-    if (value - bound < threshold && value + bound >= threshold) sum += meters_.weight(m);
+namespace {
+
+// Of both halves. Its meters, too, are without offsets.
+class AllRanks {
+ public:
+  explicit AllRanks(MeterBatches of) : upper_(of.negative()), lower_(std::move(of)) {}
+  Interval interval_at(double share) const { return interval(lower_.rank_at(share)); }
+  // Of the weight, what is from the first rank on whose interval's end is not below the threshold. Intervals rise with
+  // the rank.
+  double share_above(double threshold, double Interval::*end) const {
+    size_t first = 0, last = lower_.count();
+    while (first < last) {
+      const size_t middle = first + (last - first) / 2;
+      if (interval(middle).*end < threshold)
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    return lower_.share_from(first);
   }
-  return sum / all_.up_to.back();
-}
 
-MeterRanks::MeterRanks(const MeterBatches& meters) : lower_(meters), upper_(meters.negative()) {}
-
-Interval MeterRanks::interval(size_t rank) const {
-  if (2 * rank < count()) return lower_.interval(rank);
-  const Interval i = upper_.interval(count() - 1 - rank);
-  return lower_.used() < min_batches_of_interval ? i : Interval{-i.high, -i.low};
-}
-
-double MeterRanks::share_above(double threshold) const {
-  size_t first = 0;
-  while (first < count() && value(first) < threshold) ++first;
-  return lower_.share_from(first);
-}
-
-// The first rank whose interval's end is not below the threshold; intervals rise with the rank.
-size_t MeterRanks::first_rank(double threshold, double Interval::*end) const {
-  size_t first = 0, last = count();
-  while (first < last) {
-    const size_t middle = first + (last - first) / 2;
-    if (interval(middle).*end < threshold)
-      first = middle + 1;
-    else
-      last = middle;
+ private:
+  Interval interval(size_t rank) const {
+    if (2 * rank < lower_.count()) return lower_.interval(rank);
+    const Interval i = upper_.interval(upper_.count() - 1 - rank);
+    return lower_.used() < min_batches_of_interval ? i : Interval{-i.high, -i.low};
   }
-  return first;
+  LowerRanks upper_, lower_;  // upper_: of the negative
+};
+
+// The true values lie above those that are moved down by their offsets and noise, whatever that makes of their order,
+// and below those that are moved up.
+template <class Ranks, class Of>
+Interval between_moved(const MeterBatches& meters, const Of& of) {
+  return {of(Ranks(meters.moved(-1))).low, of(Ranks(meters.moved(1))).high};
 }
 
-// True values whose interval lies above are surely above; those whose interval lies below surely are not, but for what
-// few paths found, whatever its rank.
-Interval MeterRanks::share_above_interval(double threshold) const {
-  if (lower_.used() < min_batches_of_interval) return {};
-  const size_t surely = first_rank(threshold, &Interval::low), perhaps = first_rank(threshold, &Interval::high);
-  return {lower_.share_from(surely) - lower_.unsure_share(surely, count(), threshold),
-          lower_.share_from(perhaps) + lower_.unsure_share(0, perhaps, threshold)};
+}  // namespace
+
+Known percentile(const MeterBatches& meters, double share) {
+  const LowerRanks ranks(meters);
+  return {ranks.value(ranks.rank_at(share)),
+          between_moved<AllRanks>(meters, [&](const AllRanks& r) { return r.interval_at(share); })};
+}
+
+Known share_above(const MeterBatches& meters, double threshold) {
+  double above = 0, all = 0;
+  for (size_t m = 0; m < meters.count(); ++m) {
+    all += meters.weight(m);
+    above += meters.value(m) >= threshold ? meters.weight(m) : 0;
+  }
+  Known out{above / all, {}};
+  if (meters.used() >= min_batches_of_interval)
+    out.interval = between_moved<AllRanks>(meters, [&](const AllRanks& r) {
+      return Interval{r.share_above(threshold, &Interval::low), r.share_above(threshold, &Interval::high)};
+    });
+  return out;
 }
 
 namespace {
 
-void add_intervals(const MeterBatches& meters, const LowerRanks& ranks, ups_meter_statistics& s) {
+void add_intervals(const MeterBatches& meters, ups_meter_statistics& s) {
   const auto positive = [](Interval i) { return Interval{std::max(0.0, i.low), std::max(0.0, i.high)}; };
-  const Interval least = positive(minimum_interval(meters)), fifth = positive(ranks.interval(ranks.rank_at(0.05))),
+  const auto fifth_of = [](const LowerRanks& ranks) { return ranks.interval(ranks.rank_at(0.05)); };
+  const Interval least = positive(minimum_interval(meters)),
+                 fifth = positive(between_moved<LowerRanks>(meters, fifth_of)),
                  most = minimum_interval(meters.negative());
   s.min_low_lx = least.low, s.min_high_lx = least.high;
   s.max_low_lx = std::max(0.0, -most.high), s.max_high_lx = -most.low;
@@ -335,7 +365,7 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   s.diversity = s.max_lx > 0 ? s.min_lx / s.max_lx : 0;
   s.percentile_5_lx = ranks.value(ranks.rank_at(0.05));
   add_mean(meters, passes, known, s);
-  if (meters.used() >= min_batches_of_interval) add_intervals(meters, ranks, s);
+  if (meters.used() >= min_batches_of_interval) add_intervals(meters, s);
   return s;
 }
 

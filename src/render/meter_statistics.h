@@ -56,6 +56,8 @@ class MeterBatches {
   // Of value / mean, by the batches of both together.
   MeterBatches over_mean() const;
   MeterBatches negative() const;
+  // Each by as much as its offset, where that points: sign -1 or 1. What few paths found has no noise then, only that end.
+  MeterBatches moved(double sign) const;
 
  private:
   uint32_t used_, means_ = 1;
@@ -72,7 +74,8 @@ inline constexpr uint32_t min_batches_of_interval = 6;
 // 95 %, of the least true value.
 Interval minimum_interval(const MeterBatches& meters);
 
-// The true values in ascending order, of which noise hides who is where: the lower half of them.
+// The true values in ascending order, of which noise hides who is where: the lower half of them. Of meters without
+// offsets (`MeterBatches::moved`).
 class LowerRanks {
  public:
   explicit LowerRanks(MeterBatches of);
@@ -82,8 +85,6 @@ class LowerRanks {
   size_t rank_at(double share) const;  // that this share of the weight is below
   double share_from(size_t rank) const { return 1 - all_.up_to_rank(rank) / all_.up_to.back(); }  // of the weight
   Interval interval(size_t rank) const;  // 95 %; of the upper half the negative meters' ranks tell more
-  // Of the weight: what few paths found, from the first rank on before the last, and may be on either side of a threshold.
-  double unsure_share(size_t first, size_t last, double threshold) const;
 
  private:
   struct Order {
@@ -102,22 +103,14 @@ class LowerRanks {
   Order all_, by_half_[2];  // by all batches, by the even and by the odd ones
 };
 
-// All of them.
-class MeterRanks {
- public:
-  explicit MeterRanks(const MeterBatches& meters);
-  size_t count() const { return lower_.count(); }
-  double value(size_t rank) const { return lower_.value(rank); }
-  size_t rank_at(double share) const { return lower_.rank_at(share); }
-  Interval interval(size_t rank) const;  // 95 %; rank < count()
-  // Of the true values at least as large as the threshold: their share by weight, and its 95 % interval.
-  double share_above(double threshold) const;
-  Interval share_above_interval(double threshold) const;
-
- private:
-  size_t first_rank(double threshold, double Interval::*end) const;
-  LowerRanks lower_, upper_;  // upper_: of the negative
+struct Known {
+  double value;
+  Interval interval;  // 95 %
 };
+// The value that this share of the weight is below: of one meter at the least.
+Known percentile(const MeterBatches& meters, double share);
+// Of the true values at least as large as the threshold: their share by weight.
+Known share_above(const MeterBatches& meters, double threshold);
 
 // All but the relative errors, of so many passes. known: the spread of the mean's batches is its error.
 ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passes, bool known);

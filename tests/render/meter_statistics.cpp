@@ -86,11 +86,10 @@ Coverage coverage_of(const Field& field, double common, double halves, std::mt19
     c.uniformity += holds(s.uniformity_low, s.uniformity_high, least / true_mean) / double(repetitions);
     c.percentile += holds(s.percentile_5_low_lx, s.percentile_5_high_lx, fifth) / double(repetitions);
     c.diversity += holds(s.diversity_low, s.diversity_high, least / most) / double(repetitions);
-    const MeterRanks ranks(meters);
-    const auto at = [&](double share) { return ranks.interval(ranks.rank_at(share)); };
+    const auto at = [&](double share) { return percentile(meters, share).interval; };
     c.median += holds(at(0.5).low, at(0.5).high, median) / double(repetitions);
     c.high += holds(at(0.9).low, at(0.9).high, high) / double(repetitions);
-    const Interval share = ranks.share_above_interval(threshold);
+    const auto [share_read, share] = share_above(meters, threshold);
     c.share += holds(share.low, share.high, true_share) / double(repetitions);
     c.mean += (std::abs(s.mean_lx - true_mean) <= s.mean_error_bound_lx) / double(repetitions);
     if (r > 0) continue;
@@ -100,8 +99,8 @@ Coverage coverage_of(const Field& field, double common, double halves, std::mt19
     EXPECT_LE(s.max_low_lx, s.max_lx);
     EXPECT_LE(s.uniformity_high, 1);
     EXPECT_LE(s.diversity_low, s.diversity);
-    EXPECT_LE(share.low, ranks.share_above(threshold));
-    EXPECT_GE(share.high, ranks.share_above(threshold));
+    EXPECT_LE(share.low, share_read);
+    EXPECT_GE(share.high, share_read);
   }
   return c;
 }
@@ -126,28 +125,50 @@ MeterBatches beside(const std::vector<Few>& few) {
 // Ten that no path has found may all be above a threshold that their bounds hold, or, of a bright one, below it: their
 // ranks do not say so.
 TEST(MeterStatistics, SharesHoldWhatFewPathsFound) {
-  const Interval surely = MeterRanks(beside(std::vector<Few>(10, {0, 1}))).share_above_interval(30),
-                 dark = MeterRanks(beside(std::vector<Few>(10, {0, 50}))).share_above_interval(30),
-                 bright = MeterRanks(beside(std::vector<Few>(10, {90, 80}))).share_above_interval(30);
+  const auto share = [](const std::vector<Few>& few) { return share_above(beside(few), 30).interval; };
+  const Interval surely = share(std::vector<Few>(10, {0, 1})), dark = share(std::vector<Few>(10, {0, 50})),
+                 bright = share(std::vector<Few>(10, {90, 80}));
   EXPECT_NEAR(surely.low, 0.785, 0.02);
   EXPECT_NEAR(surely.high, 0.785, 0.02);
   EXPECT_GE(dark.high, surely.low + 0.1);
   EXPECT_NEAR(dark.low, surely.low, 0.02);
   EXPECT_LE(bright.low, surely.low);
   EXPECT_GE(bright.high, surely.high + 0.1);
+  const Interval one = share({{59.9, 80}});  // in the middle: it alone may be anywhere
+  EXPECT_GE(one.low, 0.85);
+  EXPECT_LE(one.high, 0.89);
+}
+
+// So do percentiles: ten bright ones may be the darkest, ten dark ones above the median. What is known keeps its noise.
+TEST(MeterStatistics, PercentilesHoldWhatFewPathsFound) {
+  const MeterBatches bright = beside(std::vector<Few>(10, {90, 85})), dark = beside(std::vector<Few>(10, {0, 80}));
+  const ups_meter_statistics s = meter_statistics(bright, batch_count, true);
+  EXPECT_LE(s.percentile_5_low_lx, 5);
+  EXPECT_NEAR(s.percentile_5_high_lx, s.percentile_5_lx, 1.5);
+  EXPECT_EQ(percentile(bright, 0.05).interval.low, s.percentile_5_low_lx);
+  const Known median = percentile(dark, 0.5);
+  EXPECT_NEAR(median.value, 55.5, 1);
+  EXPECT_GE(median.interval.high, 64.8);  // where it is with those at 79
+  EXPECT_NEAR(median.interval.low, median.value, 1.5);
 }
 
 // What neighbours and profiles tell of each meter's bias is told of the mean, too, where its own fits show less.
 TEST(MeterStatistics, TheMeanHasTheBiasThatIsToldOfItsMeters) {
   const double no_bias[batch_count] = {};
-  double batch[batch_count];
-  for (uint32_t b = 0; b < batch_count; ++b) batch[b] = 100 + (b % 2 ? 0.4 : -0.4);
   for (const double told : {0.0, 5.0, -5.0}) {
+    double batch[batch_count];
+    for (uint32_t b = 0; b < batch_count; ++b) batch[b] = 100 + (b % 2 ? 0.4 : -0.4);
     MeterBatches meters(batch_count);
     for (int m = 0; m < 10; ++m) meters.add({100, {told, 1}, 0}, batch, no_bias);
     const double bound = meter_statistics(meters, batch_count, true).mean_error_bound_lx;
     EXPECT_GE(bound, std::abs(told));
     EXPECT_LE(bound, std::abs(told) + 1);
+    MeterBatches surround(batch_count);
+    std::fill(batch, batch + batch_count, 200.0);
+    surround.add({200, {0, 0}, 0}, batch, no_bias);
+    const Ratio r = ratio_of_means(meters, surround);
+    EXPECT_LE(r.interval.low, 0.5 - std::abs(told) / 200);
+    EXPECT_GE(r.interval.high, 0.5 + std::abs(told) / 200);
   }
 }
 
