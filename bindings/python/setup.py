@@ -9,7 +9,8 @@ setuptools and wheel (Debian: python3-setuptools, python3-wheel) are those of th
 
 Environment:
     UPS_BUNDLE   1: the second kind of wheel; needs patchelf
-    UPS_BUILD    a finished build folder, whose libraries are taken; else it is configured and built in build/python
+    UPS_BUILD    a finished build folder, whose libraries are taken; a relative path is one from the project's root.
+                 Else it is configured and built in build/python
     CMAKE_ARGS   more options to configure with: -DUPS_BUILD_EXTRAS=AUTO leaves out extras that cannot be built
 """
 import os
@@ -47,7 +48,10 @@ def version():
 def build_libraries():
     """The build folder that has them."""
     if os.environ.get("UPS_BUILD"):
-        return Path(os.environ["UPS_BUILD"])
+        build = PROJECT / os.environ["UPS_BUILD"]  # pip runs this file in another folder than the caller's
+        if not build.is_dir():
+            raise SystemExit(f"UPS_BUILD={os.environ['UPS_BUILD']}: there is no folder {build}")
+        return build
     options = ["-DCMAKE_BUILD_TYPE=Release", "-DUPS_BUILD_TOOL=OFF", "-DUPS_BUILD_TESTS=OFF", "-DUPS_BUILD_SAMPLES=OFF",
                *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
     subprocess.run(["cmake", "-S", PROJECT, "-B", OWN_BUILD, *options], check=True)

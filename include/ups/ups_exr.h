@@ -17,19 +17,23 @@ typedef struct ups_exr_channel {
 } ups_exr_channel;
 
 typedef struct ups_exr_attribute { /* a string in the file's header, such as "unit.Y" = "lx" */
-  const char *name;
+  const char *name; /* none that OpenEXR has for something else: "type", "version", "chromaticities" */
   const char *value;
 } ups_exr_attribute;
 
 typedef struct ups_exr_image ups_exr_image; /* immutable, thread-safe */
 
-/* Writes 32-bit float channels, compressed without loss. The file appears whole or not at all: it is written beside its
- * place, synchronised with the disk and renamed. A file that is replaced hands on its permissions; where path is a
- * symbolic link, its target is replaced; a device or a pipe is written to, a named one when it has a reader. */
+/* Writes 32-bit float channels, 1 to 4096 of them, compressed without loss. The file appears whole or not at all: it is
+ * written beside its place, synchronised with the disk and renamed. A file that is replaced hands on its permissions;
+ * where path is a symbolic link, its target is replaced; a device or a pipe is written to, a named one when it has a
+ * reader. */
 UPS_API ups_status ups_exr_write(const char *path, uint32_t width, uint32_t height, const ups_exr_channel *channels,
                                  uint32_t channel_count, const ups_exr_attribute *attributes, uint32_t attribute_count);
 
-/* Reads every channel of the file's first part as float. The caller owns *out. */
+/* Reads every channel at full resolution of the file's first part as float, up to 4096 of 65536 x 65536 pixels; those
+ * with fewer samples than pixels, such as RY and BY of luminance/chroma images, are left out. The image is the file's
+ * display window: 0 where a cropped file holds no data, and so much larger as data reach beyond. The caller owns
+ * *out. */
 UPS_API ups_status ups_exr_read(const char *path, ups_exr_image **out);
 UPS_API void ups_exr_image_destroy(ups_exr_image *image); /* NULL ok */
 UPS_API ups_status ups_exr_get_size(const ups_exr_image *image, uint32_t *width, uint32_t *height);

@@ -30,7 +30,8 @@ UPS_API ups_status ups_ocio_write_png(const char *path, const float *luminance_r
 typedef struct ups_ocio_picture_desc {
   uint32_t struct_size;
   uint32_t width, height;
-  int32_t smoothed;           /* 1: the picture says "smoothed for display" at its bottom edge and in the file's text */
+  int32_t smoothed;           /* 1: the picture says "smoothed for display" at its bottom edge, where that fits and
+                               * takes a quarter of its height at most, and in the file's text (tEXt "Comment") */
   const float *luminance_rgb; /* as above */
   double exposure;            /* as above */
   int32_t exposure_chosen;    /* 1: it is what ups_ocio_choose_exposure gave; as with exposure 0 the file says so */

@@ -4,6 +4,7 @@
 
 #include "api/desc.h"
 #include "api/render_handles.h"
+#include "scene/check.h"
 
 using namespace ups;
 using namespace ups::api;
@@ -14,7 +15,7 @@ Accuracy accuracy_of(const ups_job* job) { return render_of(job).accuracy(); }
 
 ups_prediction predict(const Accuracy& accuracy, double relative_error) {
   if (!std::isfinite(relative_error) || relative_error <= 0)
-    fail_argument("relative_error: " + std::to_string(relative_error) + " is not a finite number > 0, such as 0.01");
+    fail_argument("relative_error: " + check::text(relative_error) + " is not a finite number > 0, such as 0.01");
   return accuracy.predict(relative_error);
 }
 

@@ -6,6 +6,7 @@
 #include "api/render_handles.h"
 #include "photometry/writer_text.h"
 #include "render/beam_error.h"
+#include "scene/check.h"
 
 using namespace ups;
 using namespace ups::api;
@@ -359,7 +360,7 @@ ups_status ups_result_get_goniometer_beam(const ups_result* result, ups_sensor_i
     const size_t index = index_of(r, r.scene->goniometer_ids, sensor, "goniometer");
     if (!std::isfinite(c_deg)) fail_argument("c_deg is not finite");
     if (!(fraction > 0 && fraction <= 1))
-      fail_argument("fraction is " + std::to_string(fraction) + "; it must be greater than 0 and at most 1");
+      fail_argument("fraction is " + check::text(double(fraction)) + "; it must be greater than 0 and at most 1");
     write_info(beam, beam_with_error(r.scene->goniometers[index], r.goniometers[index], c_deg, fraction), "beam");
   });
 }

@@ -153,7 +153,8 @@ ups_status ups_en12464_grid(const ups_en12464_desc* desc, ups_en12464_info* info
   return guard(__func__, [&] {
     const En12464Grid grid = en12464_grid(area_of(read_desc(desc, &ups_en12464_desc_init)));
     if (info) checked_size(info, "info");  // before anything is written
-    copy_array(grid.points.size(), points, capacity, needed, "points", [&](size_t i) {
+    size_t count = 0;  // whoever asks for `info` alone has it there
+    copy_array(grid.points.size(), points, capacity, needed || !info ? needed : &count, "points", [&](size_t i) {
       const En12464Grid::Point& p = grid.points[i];
       return ups_en12464_point{p.at.x, p.at.y, p.column, p.row};
     });

@@ -24,6 +24,14 @@ struct Mesh {  // object space
   std::shared_ptr<const Revolution> revolution;  // where there is one it is traced; the triangles give the addresses
   size_t triangle_count() const { return indices.size() / 3; }
   size_t bytes() const;
+  // Positions of the vertices that triangles have, once each in their order; the others may lie anywhere.
+  template <class Visit>
+  void each_used(const Visit& visit) const {
+    std::vector<char> used(positions.size());
+    for (const uint32_t i : indices) used[i] = 1;
+    for (size_t i = 0; i < used.size(); ++i)
+      if (used[i]) visit(positions[i]);
+  }
 };
 
 Box bounding_box(const Mesh& mesh);  // of its surface as it is traced

@@ -23,10 +23,7 @@ constexpr size_t flat_triangles = 3 << 15, least_own_triangles = 1 << 12;
 // Points of the surface, among them those that lie farthest along the axes that `to` leads to.
 template <class Visit>
 void each_extreme(const Mesh& mesh, const Affine& to, const Visit& visit) {
-  if (!mesh.revolution) {
-    for (const Vec3& p : mesh.positions) visit(Vec3d(p));
-    return;
-  }
+  if (!mesh.revolution) return mesh.each_used([&](const Vec3& p) { visit(Vec3d(p)); });
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d row(to.m[4 * axis], to.m[4 * axis + 1], to.m[4 * axis + 2]);
     visit(farthest(*mesh.revolution, row)), visit(farthest(*mesh.revolution, -row));

@@ -190,7 +190,10 @@ std::shared_ptr<const TracedMesh> make_traced_mesh(std::shared_ptr<const Mesh> s
   traced->source = std::move(source);
   traced->has_holes = has_holes;
   traced->positions.reserve(mesh.positions.size() + 1);
-  for (const Vec3& p : mesh.positions) traced->positions.push_back(bake ? Vec3(bake->point(Vec3d(p))) : p);
+  {
+    const TrapsMasked masked;  // vertices that no triangle has may lie anywhere
+    for (const Vec3& p : mesh.positions) traced->positions.push_back(bake ? Vec3(bake->point(Vec3d(p))) : p);
+  }
   traced->positions.emplace_back();
   if (mesh.revolution) {
     if (bake) traced->to_frame = *bake, traced->from_frame = inverse(*bake);

@@ -1,6 +1,6 @@
 // A mesh as Embree is given it: vertices of one frame, triangles without area left out, and a filter for holes and for
-// false hits; or a surface of revolution, which has neither (traced_revolution.cpp). Built by raytracer_build.cpp, read
-// by raytracer.cpp.
+// false hits; or a surface of revolution, which asks for a mask itself (traced_revolution.cpp). Built by
+// raytracer_build.cpp, read by raytracer.cpp.
 #pragma once
 #include <memory>
 #include <vector>

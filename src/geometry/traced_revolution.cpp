@@ -42,6 +42,13 @@ bool hit_band(const void* geometry, uint32_t primitive, const RTCRay& ray, doubl
   return intersect(shape, shape.bands[mesh.pieces[primitive].band], o, d, near, ray.tfar, hit);
 }
 
+// By a mask. Curved parts have no UVs: it cuts all of one or nothing.
+bool is_cut_out(const void* geometry, const embree::PlainContext* context) {
+  const TracedMesh& mesh = *static_cast<const TracedMesh*>(geometry);
+  const SurfaceTexturing* t = mesh.has_holes ? embree::holes_of(context, mesh) : nullptr;
+  return t && t->alpha_mode == SurfaceTexturing::mask && t->alpha_at(Vec2()) < t->alpha_cutoff;
+}
+
 // Does the query's own filter, if it has one, let the hit stand?
 bool stands(const RTCIntersectFunctionNArguments* args, RTCRayHit& query) {
   const RTCFilterFunctionN filter = embree::filter_of(args->context);
@@ -61,6 +68,7 @@ bool stands(const RTCIntersectFunctionNArguments* args, RTCRayHit& query) {
 void intersect_one(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
   const TrapsSet traps;
+  if (is_cut_out(args->geometryUserPtr, args->context)) return;
   RTCRayHit& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
   const RTCRayHit before = query;
   RevolutionHit hit;
@@ -79,6 +87,7 @@ void intersect_one(const RTCIntersectFunctionNArguments* args) {
 void occlude_one(const RTCOccludedFunctionNArguments* args) {
   if (args->valid[0] != -1) return;
   const TrapsSet traps;
+  if (is_cut_out(args->geometryUserPtr, args->context)) return;
   RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
   RevolutionHit hit;
   if (hit_band(args->geometryUserPtr, args->primID, ray, ray.tnear, hit))

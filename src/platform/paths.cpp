@@ -54,6 +54,12 @@ bool lies_within(const std::string& path, const std::string& folder) {
   return error || std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 
+std::string resolved(const std::string& path) {
+  std::error_code error;
+  const fs::path file = fs::canonical(native_path(path), error);
+  return error ? std::string() : utf8_of(file);
+}
+
 std::error_code make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(native_path(folder), error);

@@ -27,6 +27,9 @@ std::string why_not_open(const std::string& path);
 // Links are followed first: what counts is where the bytes lie. A path that does not resolve is no file: true.
 bool lies_within(const std::string& path, const std::string& folder);
 
+// The one name of what is there, with all links followed; empty where there is nothing.
+std::string resolved(const std::string& path);
+
 // With those that it lies in; no error where it is there already.
 std::error_code make_folder(const std::string& folder);
 

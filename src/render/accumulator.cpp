@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/monitor.h"
+#include "render/accuracy.h"
 #include "render/pooled_bias.h"
 #include "render/tails.h"
 #include "render/zero_bound.h"
@@ -326,7 +327,8 @@ ImageReading Accumulator::read_image_and_techniques(size_t c) const {
 }
 
 ErrorSummary Accumulator::summarize(const StopSignal* stop) const {
-  if (meters_.empty()) return images_.empty() ? summarize_goniometers() : summarize_images();
+  if (by_pixels(scene_)) return summarize_images();
+  if (meters_.empty()) return summarize_goniometers();
   std::vector<double> errors;
   std::vector<MeterError> parts;
   std::optional<ErrorSummary::Place> worst;

@@ -5,9 +5,15 @@
 
 namespace ups {
 
-ups_criterion resolve_criterion(ups_criterion criterion, bool has_meters) {
+bool by_pixels(const Snapshot& scene) {
+  return !scene.cameras.empty() && scene.meter_sets.size() == scene.observers.size();
+}
+
+ups_criterion resolve_criterion(ups_criterion criterion, const Snapshot& scene) {
+  const bool nodes = scene.meter_sets.empty() && scene.cameras.empty();
+  if (nodes) return UPS_CRITERION_MEAN;
   if (criterion != UPS_CRITERION_DEFAULT) return criterion;
-  return has_meters ? UPS_CRITERION_WORST : UPS_CRITERION_MEAN;
+  return by_pixels(scene) ? UPS_CRITERION_MEAN : UPS_CRITERION_WORST;
 }
 
 double error_by(ups_criterion criterion, const ErrorSummary& s) {

@@ -9,8 +9,10 @@
 
 namespace ups {
 
+// What the error is looked at of: cameras where no meters are there but observers' eyes, which are soon known.
+bool by_pixels(const Snapshot& scene);
 // By DEFAULT: the worst meter, else the mean.
-ups_criterion resolve_criterion(ups_criterion criterion, bool has_meters);
+ups_criterion resolve_criterion(ups_criterion criterion, const Snapshot& scene);
 double error_by(ups_criterion criterion, const ErrorSummary& summary);  // -1: not known
 
 struct Accuracy {

@@ -10,6 +10,7 @@
 #include "base/thread.h"
 #include "render/flux_pass.h"
 #include "render/job_threads.h"
+#include "scene/check.h"
 #include "scene/scene_bytes.h"
 
 namespace ups {
@@ -21,19 +22,19 @@ double tolerance_s(double limit_s) { return std::max(0.1, 0.05 * limit_s); }
 // Of it, what reading the images may take, which comes after the render's end: 0.09 s for 1920 x 1080 on one thread.
 constexpr double reading_s_of_pixel = 4.5e-8, reading_s_of_disc = 3e-5;
 
-void check(const ups_render_desc& d) {
+void check_desc(const ups_render_desc& d) {
   const auto check_finite = [](const std::string& name, double value, const char* noun) {
     if (!std::isfinite(value) || value < 0)
-      fail_argument(name + ": " + std::to_string(value) + " is not a finite " + noun + " >= 0");
+      fail_argument(name + ": " + check::text(value) + " is not a finite " + noun + " >= 0");
   };
   check_finite("time_limit_s", d.time_limit_s, "number of seconds");
   check_finite("target_relative_error", d.target_relative_error, "fraction");
   check_finite("merge_radius_m", d.merge_radius_m, "length");
   if (d.light_paths_per_iteration > (1u << 24)) fail_argument("light_paths_per_iteration: at most 16777216");
   if (std::isnan(d.radius_alpha) || d.radius_alpha < 0 || d.radius_alpha >= 1)
-    fail_argument("radius_alpha: " + std::to_string(d.radius_alpha) + " is not between 0 and 1 (0: 2/3)");
+    fail_argument("radius_alpha: " + check::text(double(d.radius_alpha)) + " is not between 0 and 1 (0: 2/3)");
   if (std::isnan(d.glossy_alpha) || d.glossy_alpha < 0 || d.glossy_alpha > 1)
-    fail_argument("glossy_alpha: " + std::to_string(d.glossy_alpha) + " is not a GGX alpha between 0 and 1 (0: 0.2)");
+    fail_argument("glossy_alpha: " + check::text(double(d.glossy_alpha)) + " is not a GGX alpha between 0 and 1 (0: 0.2)");
   if (d.perturbation != UPS_PERTURBATION_VIRTUAL && d.perturbation != UPS_PERTURBATION_ACTUAL)
     fail_argument("perturbation: " + std::to_string(d.perturbation) + " is not a UPS_PERTURBATION_* value");
   if (d.technique_images > max_technique_edges)
@@ -65,7 +66,7 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
                      std::shared_ptr<ThreadPool> pool)
     : scene_(std::move(scene)), desc_(desc), pool_(std::move(pool)),
       queue_([this](const TallyQueue::Delivery& delivery) { add(delivery); }) {
-  check(desc_);
+  check_desc(desc_);
   method_ = choose_method(*scene_, desc_);
   if (desc_.perturbation == UPS_PERTURBATION_ACTUAL && !(method_.techniques & UPS_TECHNIQUE_MERGE) &&
       !(desc_.merge_radius_m > 0))
@@ -203,7 +204,7 @@ void RenderJob::prepare() {
     if (integrator_->plan().lands_on(s)) look_s_ += double(scene_->meter_sets[s].count()) * reading_s_of_disc;
   reading_s_ = std::min(reading_s_ + look_s_, 0.5 * desc_.time_limit_s);
   const Plan& plan = integrator_->plan();
-  const bool of_pixels = scene_->meter_sets.empty() && !scene_->cameras.empty();
+  const bool of_pixels = by_pixels(*scene_);
   const std::lock_guard lock(mutex_);
   estimate_.emplace(ProgressEstimate::Limits{desc_.time_limit_s, double(desc_.iteration_count),
                                              desc_.target_relative_error,
@@ -293,9 +294,7 @@ void RenderJob::look_at_error() {
   ErrorSummary e = sums_->summarize(&stop_);
   look_s_ = std::chrono::duration<double>(Clock::now() - begin).count();
   has_looked_ = true;
-  const bool nodes = scene_->meter_sets.empty() && scene_->cameras.empty();
-  const ups_criterion criterion =
-      nodes ? UPS_CRITERION_MEAN : resolve_criterion(desc_.target_criterion, !scene_->meter_sets.empty());
+  const ups_criterion criterion = resolve_criterion(desc_.target_criterion, *scene_);
   const double error = error_by(criterion, e);
   const ups_largest_error largest = largest_error(*scene_, e);
   const ups_curve_point point = curve_point(n, iterated_s_, sums_->work(), e);

@@ -9,6 +9,7 @@
 #include "render/job.h"
 #include "render/radius_notice.h"
 #include "render/reading_warnings.h"
+#include "scene/check.h"
 #include "scene/description.h"
 #include "scene/searched.h"
 
@@ -22,7 +23,7 @@ std::shared_ptr<const RenderResult> RenderJob::read() const {
                                                (state == UPS_JOB_FAILED ? "failed" : "was cancelled") +
                                                " before its first iteration was done: there is no result");
     if (state == UPS_JOB_FINISHED)
-      throw Error(UPS_ERROR_INVALID_STATE, "time_limit_s: " + std::to_string(desc_.time_limit_s) +
+      throw Error(UPS_ERROR_INVALID_STATE, "time_limit_s: " + check::text(desc_.time_limit_s) +
                                                " s were over before the first iteration was done");
     throw Error(UPS_ERROR_INVALID_STATE, "no whole iteration is done yet: wait for ups_progress.iterations_done > 0");
   }
@@ -112,6 +113,7 @@ void RenderJob::add_warnings(RenderResult& r) const {
   const double emitted = scene_->emitters.flux_lm();
   r.warnings += leaning_notice(books(), emitted);
   if (!(emitted > 0)) return;
+  r.warnings += length_notice(desc_.max_path_length, books_flux_ ? books() : WorkCounts{}, emitted);
   if (books().light_paths > 0) r.warnings += flux_warning(flux_balance(books(), emitted), emitted);
   for (size_t s = 0; s < r.meter_sets.size(); ++s)
     if (r.meter_sets[s].statistics.mean_lx == 0)

@@ -283,15 +283,23 @@ class AllRanks {
 // and below those that are moved up.
 template <class Ranks, class Of>
 Interval between_moved(const MeterBatches& meters, const Of& of) {
-  return {of(Ranks(meters.moved(-1))).low, of(Ranks(meters.moved(1))).high};
+  if (meters.used() < min_batches_of_interval) return {};
+  Interval out;  // one after the other: of many meters they are gigabytes
+  out.low = of(Ranks(meters.moved(-1)), &Interval::low);
+  out.high = of(Ranks(meters.moved(1)), &Interval::high);
+  return out;
+}
+
+double value_at(const MeterBatches& meters, double share) {
+  const LowerRanks ranks(meters);
+  return ranks.value(ranks.rank_at(share));
 }
 
 }  // namespace
 
 Known percentile(const MeterBatches& meters, double share) {
-  const LowerRanks ranks(meters);
-  return {ranks.value(ranks.rank_at(share)),
-          between_moved<AllRanks>(meters, [&](const AllRanks& r) { return r.interval_at(share); })};
+  return {value_at(meters, share),
+          between_moved<AllRanks>(meters, [&](const AllRanks& r, auto end) { return r.interval_at(share).*end; })};
 }
 
 Known share_above(const MeterBatches& meters, double threshold) {
@@ -300,11 +308,11 @@ Known share_above(const MeterBatches& meters, double threshold) {
     all += meters.weight(m);
     above += meters.value(m) >= threshold ? meters.weight(m) : 0;
   }
-  Known out{above / all, {}};
-  if (meters.used() >= min_batches_of_interval)
-    out.interval = between_moved<AllRanks>(meters, [&](const AllRanks& r) {
-      return Interval{r.share_above(threshold, &Interval::low), r.share_above(threshold, &Interval::high)};
-    });
+  Known out{above / all, between_moved<AllRanks>(meters, [&](const AllRanks& r, auto end) {
+              return r.share_above(threshold, end);
+            })};
+  if (meters.used() >= min_batches_of_interval)  // but for rounding they hold it
+    out.interval = {std::min(out.interval.low, out.value), std::max(out.interval.high, out.value)};
   return out;
 }
 
@@ -312,7 +320,7 @@ namespace {
 
 void add_intervals(const MeterBatches& meters, ups_meter_statistics& s) {
   const auto positive = [](Interval i) { return Interval{std::max(0.0, i.low), std::max(0.0, i.high)}; };
-  const auto fifth_of = [](const LowerRanks& ranks) { return ranks.interval(ranks.rank_at(0.05)); };
+  const auto fifth_of = [](const LowerRanks& ranks, auto end) { return ranks.interval(ranks.rank_at(0.05)).*end; };
   const Interval least = positive(minimum_interval(meters)),
                  fifth = positive(between_moved<LowerRanks>(meters, fifth_of)),
                  most = minimum_interval(meters.negative());
@@ -357,13 +365,15 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   s.percentile_5_low_lx = s.percentile_5_high_lx = s.diversity_low = s.diversity_high = -1;
   s.uniformity = s.diversity = -1;
   if (meters.count() == 0) return s;
-  const LowerRanks ranks(meters);
   s.mean_lx = meters.mean();
-  s.min_lx = ranks.value(0);
-  s.max_lx = ranks.value(meters.count() - 1);
+  {
+    const LowerRanks ranks(meters);
+    s.min_lx = ranks.value(0);
+    s.max_lx = ranks.value(meters.count() - 1);
+    s.percentile_5_lx = ranks.value(ranks.rank_at(0.05));
+  }
   s.uniformity = s.mean_lx > 0 ? s.min_lx / s.mean_lx : 0;
   s.diversity = s.max_lx > 0 ? s.min_lx / s.max_lx : 0;
-  s.percentile_5_lx = ranks.value(ranks.rank_at(0.05));
   add_mean(meters, passes, known, s);
   if (meters.used() >= min_batches_of_interval) add_intervals(meters, s);
   return s;

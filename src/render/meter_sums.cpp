@@ -119,8 +119,8 @@ double MeterLight::mean_of(LightPart part) const {
 
 double MeterLight::merged_lx() const {
   if (visits == 0) return 0;
-  const double exact = merges_direct ? sums.exact : sums.exact_mirrored;
-  return std::max(0.0, mean_of(merges_direct ? whole_light : indirect_light) - exact / visits);
+  const double without_merging = merges_direct ? sums.exact : sums.exact_mirrored;
+  return std::max(0.0, mean_of(merges_direct ? whole_light : indirect_light) - without_merging / visits);
 }
 
 ups_meter_part_reading MeterLight::part(ups_light_part part) const {

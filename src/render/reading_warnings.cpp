@@ -80,6 +80,16 @@ std::string crowd_notice(const WorkCounts& work) {
          "the mean, and noisier. Fewer light paths an iteration or a smaller merge radius waste less\n";
 }
 
+std::string length_notice(uint32_t longest, const WorkCounts& flux, double emitted_lm) {
+  constexpr double least = 1e-6;
+  const bool known = flux.light_paths > 0;
+  const double cut = known ? flux.flux.cut / (double(flux.light_paths) * emitted_lm) : 0;
+  if (longest == 0 || (known && cut < least)) return {};
+  return "paths end after " + std::to_string(longest) + (longest == 1 ? " edge" : " edges") +
+         ", as was asked for: readings " + (known ? "lack" : "may lack") + " the light that goes on" +
+         (known ? ", " + short_number(100 * cut, 2) + " % of what is emitted" : "") + "\n";
+}
+
 // What is lost is missing from what all surfaces absorb, so in the mean from their illuminances.
 std::string leaning_notice(const WorkCounts& flux, double emitted_lm) {
   constexpr double least = 1e-3, errors = 3;

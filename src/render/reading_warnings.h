@@ -16,6 +16,9 @@ std::string blur_notice(uint32_t camera_id, const ImageReading& image);
 // Where so many photons lay about what eye paths met that only some of them were merged.
 std::string crowd_notice(const WorkCounts& work);
 
+// Where paths end after so many edges. flux: of light paths that do; without light_paths nothing is known of them.
+std::string length_notice(uint32_t longest, const WorkCounts& flux, double emitted_lm);
+
 // What of the light shading normals lose that lean from their faces.
 std::string leaning_notice(const WorkCounts& flux, double emitted_lm);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/floating_point.h"
 #include "base/rng.h"
 
 namespace ups {
@@ -34,7 +35,10 @@ Duplicates find_duplicates(const std::vector<std::shared_ptr<const Mesh>>& meshe
   for (size_t i = 0; i < instances.size(); ++i) {
     const Mesh& mesh = *meshes[instances[i].mesh];
     corners.clear();
-    for (const Vec3& p : mesh.positions) corners.push_back(corner_key(Vec3(instances[i].to_scene.point(Vec3d(p)))));
+    {
+      const TrapsMasked masked;  // vertices that no triangle has may lie anywhere
+      for (const Vec3& p : mesh.positions) corners.push_back(corner_key(Vec3(instances[i].to_scene.point(Vec3d(p)))));
+    }
     for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
       const uint32_t* v = &mesh.indices[3 * size_t(t)];
       if (corners[v[0]] == corners[v[1]] || corners[v[1]] == corners[v[2]] || corners[v[2]] == corners[v[0]])

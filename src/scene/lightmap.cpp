@@ -129,13 +129,16 @@ std::vector<TexelPart> LightmapCut::take() {
   std::vector<size_t> order(parts_.size());
   std::iota(order.begin(), order.end(), size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](size_t i, size_t j) { return parts_[i].texel < parts_[j].texel; });
-  std::vector<TexelPart> parts;
-  std::vector<std::array<Vec2d, 3>> uvs;
-  parts.reserve(order.size()), uvs.reserve(order.size());
-  for (const size_t i : order) parts.push_back(parts_[i]), uvs.push_back(uvs_[i]);
-  parts_ = std::move(parts), uvs_ = std::move(uvs);
+  for (size_t i = 0; i < order.size(); ++i) {  // in place, a cycle after another: a copy may be gigabytes
+    const TexelPart part = parts_[i];
+    const std::array<Vec2d, 3> uv = uvs_[i];
+    size_t to = i;
+    for (size_t from = order[to]; from != i; to = from, from = order[to])
+      parts_[to] = parts_[from], uvs_[to] = uvs_[from], order[to] = to;
+    parts_[to] = part, uvs_[to] = uv, order[to] = to;
+  }
   find_overlaps();
-  uvs_.clear();
+  uvs_ = std::vector<std::array<Vec2d, 3>>();
   return std::move(parts_);
 }
 

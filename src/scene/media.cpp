@@ -1,6 +1,7 @@
 // See media.h: which meshes enclose a volume, the order of media, what a point lies in. Overlaps are in overlaps.cpp.
 #include "scene/media.h"
 
+#include <algorithm>
 #include <optional>
 #include <tuple>
 
@@ -24,8 +25,8 @@ struct Enclosed {
 };
 
 Enclosed enclosed_by(const Mesh& mesh) {
-  if (mesh.positions.empty()) return {};
-  const Vec3d o(mesh.positions[0]);
+  if (mesh.indices.empty()) return {};
+  const Vec3d o(mesh.positions[*std::min_element(mesh.indices.begin(), mesh.indices.end())]);  // a vertex of its own
   Vec3d sum, moment[3];  // of n; of n times x, y, z
   double area = 0, extent = 0;
   for (size_t t = 0; t < mesh.indices.size(); t += 3) {

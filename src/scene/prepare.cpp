@@ -111,7 +111,7 @@ std::shared_ptr<const Snapshot> prepare(const Description& description, ThreadPo
                                         const std::shared_ptr<const Snapshot>& earlier, Monitor* monitor) {
   Monitor nobody;
   auto scene = Builder(description, pool, earlier.get(), monitor ? *monitor : nobody).build();
-  if (!earlier) searched_warnings(*scene, pool);
+  if (!earlier) searched_warnings(*scene, pool, monitor);
   return scene;
 }
 

@@ -38,9 +38,9 @@ MeterSet Builder::make_meters(const MetersDescription& in) const {
     meter.moved = length(meter.p - to_scene((*in.positions)[i]));
   });
   if (in.kind == UPS_METER_VECTOR) {
-    const std::vector<Meter> points = set.meters;
-    for (uint32_t side = 1; side < vector_sides; ++side)
-      set.meters.insert(set.meters.end(), points.begin(), points.end());
+    const size_t points = set.meters.size();
+    set.meters.reserve(vector_sides * points);
+    for (size_t i = 0; i < (vector_sides - 1) * points; ++i) set.meters.push_back(set.meters[i]);
   }
   return set;
 }

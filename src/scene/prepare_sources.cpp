@@ -108,12 +108,9 @@ std::vector<EmitterTriangle> emitting_triangles(const Mesh& mesh, const Affine& 
 }
 
 void Builder::bound(Source& source, const Mesh& mesh, const Affine& to_scene) const {
-  for (size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3d p = Vec3d(Vec3(to_scene.point(Vec3d(mesh.positions[i])))) + out_->origin;
-    Vec3d &low = source.bounds_min, &high = source.bounds_max;
-    low = i == 0 ? p : Vec3d(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
-    high = i == 0 ? p : Vec3d(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
-  }
+  Box box;
+  mesh.each_used([&](const Vec3& p) { box.grow(Vec3d(Vec3(to_scene.point(Vec3d(p)))) + out_->origin); });
+  source.bounds_min = box.lower, source.bounds_max = box.upper;
 }
 
 // Of the source that was begun last.

@@ -78,7 +78,7 @@ Box Builder::mesh_box(size_t m) const {
   const uint32_t then = earlier_ ? rank_of(earlier_->mesh_numbers, out_->mesh_numbers[m]) : none;
   if (then != none && earlier_->meshes[then] == out_->meshes[m]) return earlier_->mesh_boxes[then];
   Box box;
-  for (const Vec3& p : out_->meshes[m]->positions) box.grow(Vec3d(p));
+  out_->meshes[m]->each_used([&](const Vec3& p) { box.grow(Vec3d(p)); });
   return box;
 }
 

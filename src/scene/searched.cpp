@@ -102,14 +102,16 @@ void search(SearchedWarnings& searched, Warnings& out, const Find& find) {
 
 }  // namespace
 
-std::vector<std::string> searched_warnings(const Snapshot& scene, ThreadPool& pool) {
+std::vector<std::string> searched_warnings(const Snapshot& scene, ThreadPool& pool, const Monitor* monitor) {
   Warnings out;
+  const auto run = [&](auto find, Warnings& found) {
+    if (monitor) monitor->check();
+    find(scene, pool, found);
+  };
   search(*scene.surface_search, out, [&](Warnings& found) {
-    find_overlaps(scene, pool, found);
-    find_odd_triangles(scene, pool, found);
-    find_glass_without_room(scene, pool, found);
+    for (const auto find : {find_overlaps, find_odd_triangles, find_glass_without_room}) run(find, found);
   });
-  search(*scene.light_search, out, [&](Warnings& found) { find_swallowed(scene, pool, found); });
+  search(*scene.light_search, out, [&](Warnings& found) { run(find_swallowed, found); });
   return out;
 }
 

@@ -98,7 +98,7 @@ struct Snapshot {
   std::vector<uint32_t> material_numbers;       // by the same index
   std::vector<std::shared_ptr<const Texture>> textures;  // that they point to
   std::vector<std::shared_ptr<const Mesh>> meshes;
-  std::vector<Box> mesh_boxes;                  // of the vertices
+  std::vector<Box> mesh_boxes;                  // of the triangles' vertices
   std::vector<uint32_t> mesh_numbers;
   std::shared_ptr<const Raytracer> raytracer;   // never null; may hold no triangle
   std::vector<Raytracer::Instance> instances;   // by SurfacePoint::instance

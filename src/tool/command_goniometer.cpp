@@ -5,6 +5,7 @@
 #include "platform/paths.h"
 #include "tool/commands.h"
 #include "tool/goniometer_report.h"
+#include "tool/inputs.h"
 #include "tool/interrupt.h"
 #include "tool/output.h"
 #include "tool/profile_sheet.h"
@@ -16,10 +17,12 @@ namespace ups::tool {
 
 namespace {
 
-void prepare_files(const GoniometerOptions& options) {
-  if (!options.out.empty()) prepare_file("--out", options.out);
-  if (!options.errors.empty()) prepare_file("--errors", options.errors);
-  for (const std::string& plot : options.plots) prepare_file("--plot", plot);
+std::vector<Output> outputs_of(const GoniometerOptions& options) {
+  std::vector<Output> outputs;
+  if (!options.out.empty()) outputs.emplace_back("--out", options.out);
+  if (!options.errors.empty()) outputs.emplace_back("--errors", options.errors);
+  for (const std::string& plot : options.plots) outputs.emplace_back("--plot", plot);
+  return outputs;
 }
 
 // The scene's own goniometer that is meant; none: it has none.
@@ -122,8 +125,10 @@ Written write_files(const GoniometerOptions& options, const SensorEntry& goniome
 
 int goniometer(const GoniometerOptions& options) {
   install_interrupt_handler();
-  prepare_files(options);
+  const std::vector<Output> outputs = outputs_of(options);
+  for (const auto& [option, path] : outputs) prepare_file(option, path);
   const LoadedScene scene = load(options);
+  spare_inputs(options.scene, outputs);
   const Finished finished = run_render(scene.scene, options.desc);
   tell_interruption(finished);
   if (!finished.result) return finished.exit_code();
@@ -131,7 +136,7 @@ int goniometer(const GoniometerOptions& options) {
   const SensorEntry& sensor = scene.sensors[0];
   Report render = make_report(options.scene, scene, result);
   check_light(options, render.goniometers[0].info);
-  // A file of photometry has a line for it.
+  // A file of photometry has a line of UTF-8 for it.
   Profile profile = make_profile(result, sensor, render, one_line(platform::stem_of(options.scene)));
   for (const auto& [name, value] : options.keywords) profile = with_keyword(profile, name, value);
   const Measurement measurement =

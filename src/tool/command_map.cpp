@@ -10,6 +10,7 @@
 #include "tool/commands.h"
 #include "report/drawing_file.h"
 #include "tool/exr_file.h"
+#include "tool/inputs.h"
 #include "report/map_data.h"
 #include "tool/profile_file.h"
 #include "tool/report.h"
@@ -173,6 +174,9 @@ int map(const MapOptions& options) {
     throw WrongUsage("--map-range-luminance: " + options.file + " is shown in lux; take --map-range");
   MapStyle style = lux ? options.style : of_luminance(options.style);
   if (!lux && !(style.high > 0)) style.low = options.style.low, style.high = options.style.high;  // of what there is
+  std::vector<Output> outputs;
+  for (const std::string& path : options.out) outputs.emplace_back("OUT", path);
+  if (!options.scene.empty()) spare_inputs(options.scene, outputs);
   const Drawing drawing = map_drawing(data, style);
   for (const std::string& path : options.out) write_drawing(path, drawing, map_words(data, style));
   return exit_done;

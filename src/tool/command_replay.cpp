@@ -2,9 +2,11 @@
 #include "tool/commands.h"
 #include "report/drawing_file.h"
 #include "tool/handles.h"
+#include "tool/inputs.h"
 #include "tool/output.h"
 #include "tool/path_plot.h"
 #include "report/profile_plot.h"
+#include "tool/render_job.h"
 #include "tool/report.h"
 #include "tool/text_format.h"
 
@@ -14,9 +16,10 @@ int replay(const ReplayOptions& options) {
   if (!options.plot.empty()) prepare_file("--plot", options.plot);
   const LoadedScene scene =
       load_scene(options.scene, {options.threads, options.width, options.height, options.allow_outside});
+  if (!options.plot.empty()) spare_inputs(options.scene, {{"--plot", options.plot}});
   const ups_sample sample = sample_at(scene, options.sample);
   ups_path* traced = nullptr;
-  check(ups_replay(scene.scene, &options.desc, &sample, &traced));
+  check_options(ups_replay(scene.scene, &options.desc, &sample, &traced));
   const Path path(traced);
   PathReport report{options.scene, options.sample, {}, {}, {}, {}};
   report.info.struct_size = sizeof report.info;

@@ -337,6 +337,7 @@ const char* layout_word(MeterLayout layout) {
 
 ordered_json scene_json(const SceneReport& report) {
   const ups_scene_info& info = report.info;
+  const bool has_geometry = info.bounds_min_m[0] <= info.bounds_max_m[0];
   ordered_json sensors = ordered_json::array();
   for (const SensorEntry& sensor : report.sensors) {
     constexpr const char* kinds[] = {"camera", "meters", "goniometer", "observer"};  // SensorKind
@@ -354,8 +355,8 @@ ordered_json scene_json(const SceneReport& report) {
   return {{"file", report.file},
           {"kind", "scene"},
           {"triangles", info.triangle_count},
-          {"bounds_min_m", array_json(info.bounds_min_m)},
-          {"bounds_max_m", array_json(info.bounds_max_m)},
+          {"bounds_min_m", has_geometry ? array_json(info.bounds_min_m) : ordered_json()},
+          {"bounds_max_m", has_geometry ? array_json(info.bounds_max_m) : ordered_json()},
           {"luminaires", info.luminaire_count},
           {"lights", info.light_count},
           {"emitting_instances", info.emissive_instance_count},

@@ -1,5 +1,5 @@
 // Numbers and arrays in the program's JSON, and its parts that have files of their own. Included by those that write
-// JSON, all of the program that includes nlohmann/json.
+// JSON, with inputs_json.cpp all of the program that includes nlohmann/json.
 #pragma once
 #include <charconv>
 #include <cmath>

@@ -115,12 +115,10 @@ std::string keyword(const std::string& text) {
   const bool named = equals != std::string::npos && equals >= 1 && equals <= 64 &&
                      std::all_of(text.begin(), text.begin() + ptrdiff_t(equals),
                                  [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-  const bool one_line = std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; });
-  return named && one_line && text.size() - equals - 1 <= 1000 ? ""
-                                                           : "must be NAME=VALUE, such as MANUFAC=Example, the name of "
-                                                             "letters, digits and _, the value one line of at "
-                                                             "most 1000 bytes, not '" +
-                                                                 text.substr(0, 200) + "'";
+  if (named && text == one_line(text) && text.size() - equals - 1 <= 1000) return {};
+  return "must be NAME=VALUE, such as MANUFAC=Example, the name of letters, digits and _, the value one line of UTF-8, "
+         "at most 1000 bytes, not '" +
+         text.substr(0, 200) + "'";
 }
 
 void add_files(CLI::App& command, GoniometerOptions& options) {

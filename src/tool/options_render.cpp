@@ -317,7 +317,7 @@ void add_render(CLI::App& app, RenderOptions& options) {
       ->needs("--out");
   command
       ->add_option("--targets", options.targets,
-                   "What meters and observers must reach, a JSON file: verdicts in the report and the JSON")
+                   "What meters and observers must reach, a JSON file: verdicts in the text, the JSON and the report")
       ->type_name("FILE");
   add_map_options(*command, options.map);
   add_method_options(*command, options.desc);

@@ -12,6 +12,7 @@
 #include "report/drawing_file.h"
 #include "report/map_data.h"
 #include "report/meter_places.h"
+#include "tool/inputs.h"
 #include "tool/picture.h"
 #include "tool/report.h"
 #include "tool/tables.h"
@@ -382,12 +383,15 @@ void prepare_files(const RenderOptions& options, const LoadedScene& scene) {
   for (const SensorEntry& sensor : scene.sensors)
     for (const std::string& ending : endings_of(sensor, options.desc)) names.push_back(sensor.name + ending);
   if (options.report) names.push_back("report.html");
+  std::vector<Output> outputs;
   for (const std::string& name : names) {
     const std::string path = platform::joined(options.out, name);
     if (platform::is_folder(path))
       throw Failure("--out: '" + path + "' is a folder, where a file of that name would be written");
     platform::folder_written_in(path);  // throws where it may not be
+    outputs.emplace_back("--out", path);
   }
+  spare_inputs(options.scene, outputs);
   std::sort(names.begin(), names.end());
   if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
     throw Failure("--out: two of the scene's cameras, meters and goniometers would write the file '" + *twice +

@@ -15,7 +15,7 @@ namespace ups::tool {
 void prepare_folder(const std::string& folder);
 // The same of the folder that `path`, the value of `option`, lies in; it is not made.
 void prepare_file(const std::string& option, const std::string& path);
-// Throws Failure where a folder stands in the place of a file that the render will write.
+// Throws Failure where a folder stands in the place of a file that the render will write, or a file that it reads.
 void prepare_files(const RenderOptions& options, const LoadedScene& scene);
 
 // Each file on its own: one that cannot be written does not take the others with it.

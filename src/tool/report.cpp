@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "report/intervals.h"
+#include "report/page.h"
 #include "tool/accuracy.h"
 #include "tool/text_format.h"
 
@@ -92,6 +93,17 @@ std::string observer_text(const ObserverReport& observer) {
                        100 * worst.source.share);
 }
 
+std::string verdict_text(const TargetVerdict& v, const std::string& area) {
+  const bool lux = v.quantity.ends_with("_lx");
+  const std::string unit = lux ? " lx" : "", range = report::interval_text(v),
+                    what = v.quantity == "ugr" ? "UGR" : lux ? v.quantity.substr(0, v.quantity.size() - 3) : v.quantity;
+  std::string verdict = judgement_word(v.judgement);
+  std::replace(verdict.begin(), verdict.end(), '_', ' ');
+  return "target " + one_line(area) + ": " + (v.at_most ? "observer " : "meters ") + one_line(v.subject) + ": " + what +
+         " " + report::value_text(v) + (range.empty() ? "" : " (" + range + ")") + ", required " +
+         (v.at_most ? "at most " : "at least ") + format("%.6g", v.required) + unit + ": " + verdict + "\n";
+}
+
 }  // namespace
 
 std::string percent_text(double fraction) { return fraction < 0 ? "unknown" : format("%.2f %%", 100 * fraction); }
@@ -117,6 +129,7 @@ std::string to_text(const RenderReport& report) {
   for (const MeterReport& meters : report.meters) text += meters_text(meters);
   for (const RatioReport& ratio : report.ratios) text += ratio_text(ratio);
   for (const ObserverReport& observer : report.observers) text += observer_text(observer);
+  for (const TargetVerdict& v : report.targets) text += verdict_text(v, report.area_names[v.area]);
   for (const CameraReport& camera : report.cameras) {
     text += format("camera %s: %u x %u, %s, mean luminance %.6g cd/m^2\n", camera.name.c_str(), camera.width,
                    camera.height, projection_word(camera.projection), camera.mean_luminance_cd_m2);

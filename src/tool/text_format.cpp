@@ -37,8 +37,11 @@ std::string printable_json(const std::string& json) {
 }
 
 std::string one_line(std::string text) {
-  for (char& c : text)
-    if (uint8_t(c) < 0x20 || c == 0x7f) c = '_';
+  for (size_t i = 0; i < text.size();) {
+    const Utf8 character = utf8_at(text, i);
+    if (character.length == 0 || character.code < 0x20 || character.code == 0x7f) text[i] = '_';
+    i += std::max<size_t>(1, character.length);
+  }
   return text;
 }
 

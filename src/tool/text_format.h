@@ -14,7 +14,7 @@ std::string printable(const std::string& text);
 // The same for a JSON text: escapes that JSON knows, for what it leaves as it is.
 std::string printable_json(const std::string& json);
 
-// Control characters as _.
+// Control characters, and bytes that are no UTF-8, as _.
 std::string one_line(std::string text);
 
 // All that the program says goes through here, but for the bar of progress.

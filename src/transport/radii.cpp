@@ -122,9 +122,11 @@ void choose_radii(const Snapshot& scene, const TransportSettings& settings, Thre
   LightPass light;
   plan.walk_radius =
       typical_spacing(light.trace_pilot(in, pool), 0.05f * scene.radius, stop) * float(std::sqrt(share));
-  // A coarse image's pixels are wider than the light's detail that photons can show.
+  // A coarse image's pixels are wider than the light's detail that photons can show. Of a camera whose middles of pixels
+  // all see nothing to merge at, other parts of pixels may.
+  const float widest = 4 * plan.walk_radius;
   for (auto& radii : plan.pixel_radius)
-    for (float& r : radii) r = std::min(r, 4 * plan.walk_radius);
+    for (float& r : radii) r = r > 0 ? std::min(r, widest) : widest;
 }
 
 void look_around_meters(const Snapshot& scene, ThreadPool& pool, const StopSignal& stop, uint32_t iteration,

@@ -54,10 +54,15 @@ ups_job* start(const Scene& scene, const std::function<void(ups_render_desc&)>& 
   return job;
 }
 
-// Matte, two spots, 6 meters.
-void make_office(Scene& scene) {
+// Matte, two spots.
+void make_room(Scene& scene) {
   scene.add(box({0, 0, 0}, {4, 3, 2.6}).flipped(), matte(0.5));
   for (double x : {1.0, 3.0}) scene.add_spot({x, 1.5, 2.5}, {0, 0, -1}, 1000, 0.3, 1.2);
+}
+
+// 6 meters in it.
+void make_office(Scene& scene) {
+  make_room(scene);
   std::vector<P3> points;
   for (int i = 0; i < 6; ++i) points.push_back({0.7 + 1.3 * (i % 3), 0.7 + 1.6 * (i / 3), 0.75});
   scene.add_meters(points, {0, 0, 1});
@@ -122,6 +127,30 @@ TEST(Accuracy, BiasAtAnEdgeIsForetold) {
   }
   std::sort(logs.begin(), logs.end());
   EXPECT_NEAR(logs[1], 0, std::log(1.5));
+}
+
+// An eye beside a camera is soon known: the picture decides, as it does without. (A picture of many pixels is visited in
+// parts: an eye would be known long before every pixel is.)
+TEST(Accuracy, ObserversEndNoPicture) {
+  uint32_t iterations[2];
+  for (const bool eye : {false, true}) {
+    Scene scene;
+    make_room(scene);
+    const Sensor view = scene.add_camera({0.5, 0.5, 1.5}, {1, 0.9, -0.1}, 200, 180, 1.2);
+    if (eye) scene.add_observer({0.5, 1.5, 1.2}, {1, 0, 0});
+    check(ups_scene_commit(scene.get()), "ups_scene_commit");
+    const Outcome o = render(scene, [](ups_render_desc& d) {
+      d.method = UPS_METHOD_PATH_TRACING;
+      d.target_relative_error = 0.2f;
+    });
+    iterations[eye] = o.curve().back().iterations;
+    std::vector<float> bounds(size_t(200) * 180);
+    check(ups_result_read_image(o.result.get(), view.id, UPS_CHANNEL_ERROR_BOUND, bounds.data(), 0,
+                                bounds.size() * sizeof(float)),
+          "ups_result_read_image");
+    EXPECT_GE(*std::min_element(bounds.begin(), bounds.end()), 0) << "a pixel of unknown error";
+  }
+  EXPECT_EQ(iterations[0], iterations[1]);
 }
 
 // Each criterion ends a render at the second look in a row at which its own error is below.

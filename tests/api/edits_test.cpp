@@ -277,6 +277,31 @@ TEST_F(Edits, AMeshReplacedAgainAndAgainTakesNoMoreMemory) {
   EXPECT_LT(resident_kb() - before, 30'000) << "kB";
 }
 
+// A flux that is set is that of the emitters which are still there.
+TEST_F(Edits, FixturesAreSetWithoutEmittersThatWereRemoved) {
+  ups_fixture* fixture = nullptr;
+  EXPECT_OK(ups_fixture_create(context, &fixture));
+  auto led = make(&ups_fixture_emitter_desc_init);
+  led.radius_m = 0.01, led.flux_lm = 500;
+  for (const float x : {0.0f, 0.1f}) {
+    led.to_fixture[3] = x;
+    EXPECT_OK(ups_fixture_add_emitter(fixture, &led, nullptr));
+  }
+  auto d = make(&ups_fixture_instance_desc_init);
+  ups_fixture_id id;
+  EXPECT_OK(ups_scene_add_fixture(scene, fixture, &d, &id));
+  ups_instance_id first;
+  EXPECT_OK(ups_scene_get_fixture_instance(scene, id, {1}, &first));
+  EXPECT_OK(ups_scene_remove_instance(scene, first));
+  d.flux_lm = 1000;
+  EXPECT_OK(ups_scene_set_fixture(scene, id, &d));
+  EXPECT_OK(ups_scene_commit(scene));
+  auto info = sized<ups_scene_info>();
+  EXPECT_OK(ups_scene_get_info(scene, &info));
+  EXPECT_NEAR(info.emitted_flux_lm, 1000, 1e-2);
+  ups_fixture_destroy(fixture);
+}
+
 TEST_F(Edits, FixturesAreSetAndGiveBackWhatTheyTook) {
   ups_fixture* fixture = lamp_in_a_cup();
   auto d = make(&ups_fixture_instance_desc_init);

@@ -155,6 +155,9 @@ TEST(En12464, SaysWhatIsWrong) {
   EXPECT_EQ(untouched, 7u);
   EXPECT_EQ(points[0].x_m, -7);
   expect_error(ups_en12464_grid(&d, nullptr, nullptr, 0, nullptr), UPS_ERROR_INVALID_ARGUMENT, {"needed is NULL"});
+  info.struct_size = sizeof info;
+  EXPECT_EQ(ups_en12464_grid(&d, &info, nullptr, 0, nullptr), UPS_OK) << ups_last_error();
+  EXPECT_EQ(info.point_count, count);
   expect_error(ups_en12464_grid(nullptr, nullptr, nullptr, 0, &count), UPS_ERROR_INVALID_ARGUMENT, {"desc is NULL"});
   d.corners_m = nullptr;
   expect_error(ups_en12464_grid(&d, nullptr, nullptr, 0, &count), UPS_ERROR_INVALID_ARGUMENT, {"corners_m is NULL"});

@@ -1,5 +1,6 @@
 """How far a render is, on a terminal, in a file, in a notebook; and does Ctrl-C keep what there is? Programs run by
 themselves here, as people run them."""
+import io
 import os
 import re
 import signal
@@ -43,6 +44,29 @@ def test_a_terminal_has_a_bar_that_is_written_over():
     percents = [int(bar[2]) for bar in bars]
     assert percents == sorted(percents) and percents[-1] == 100 and len(bars[-1][1]) == 30
     assert shown.endswith(b"\r\n") and shown.count(b"\n") == 1
+
+
+@pytest.mark.parametrize("columns", [80, 30, 0])  # 0: it does not say
+def test_the_bar_fits_the_terminal(columns):
+    """What wraps could not be written over."""
+    program = f"scene.render(time_limit_s={SECONDS}, progress=True)"
+    process, drawn = drawn_by(lambda stream: start(program, stderr=stream), columns)
+    assert process.wait(60) == 0
+    lines = [line for line in re.split(rb"[\r\n]", drawn) if line.startswith(b"[")]
+    assert len(lines) > 1 and max(map(len, lines)) < (columns or 80)
+
+
+def test_a_stream_that_is_no_file_has_80_columns(context, monkeypatch):
+    class Window(io.StringIO):
+        def isatty(self):
+            return True
+
+    scene, _ = box(context)
+    window = Window()
+    monkeypatch.setattr(sys, "stderr", window)
+    monkeypatch.setattr(ups._progress, "text_of", lambda progress: 80 * "x")
+    scene.render(iteration_count=4, progress=True)
+    assert {len(line) for line in window.getvalue().rstrip("\n").split("\r")[1:]} == {79}
 
 
 def test_a_file_gets_a_line_now_and_then(monkeypatch, capsys, context):

@@ -2,6 +2,8 @@
 import gc
 import math
 import os
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -83,6 +85,27 @@ def test_libraries_are_named_as_each_system_names_them():
     assert _library._names("ups_exr", "linux") == ("libups_exr.so.0.1", "libups_exr.so")
     assert _library._names("ups_exr", "darwin") == ("libups_exr.0.1.dylib", "libups_exr.dylib")
     assert _library._names("ups_exr", "win32") == ("ups_exr.dll",)
+
+
+@pytest.mark.parametrize("variable, name", [("UPS_LIBRARY", "libups.so"),
+                                            ("LD_LIBRARY_PATH", _library._names("ups")[0])])  # before the system's
+def test_a_library_of_another_abi_is_refused(tmp_path, variable, name):
+    """Though it has every function: its structs may be laid out otherwise."""
+    major, minor, patch = ups._ffi.HEADER_VERSION
+    source, library = tmp_path / "stub.c", tmp_path / name
+    answers = {**dict.fromkeys(ups._ffi.PROTOTYPES["ups"], 0), "ups_version": major * 10000 + (minor + 1) * 100}
+    source.write_text("".join(f"int {function}(void) {{ return {answer}; }}\n" for function, answer in answers.items()))
+    environment = {k: v for k, v in os.environ.items() if k not in ("LD_PRELOAD", "UPS_LIBRARY")}
+    subprocess.run(["cc", "-shared", "-fPIC", source, "-o", library], check=True, env=environment)
+    done = subprocess.run([sys.executable, "-c", "import ups"], capture_output=True, text=True,
+                          env={**environment, variable: str(tmp_path)})
+    assert done.returncode == 1 and f"ImportError: {library} is UPS {major}.{minor + 1}.0, " in done.stderr, done
+    assert f" of UPS {major}.{minor}.{patch} " in done.stderr
+
+
+def test_the_abi_is_the_sonames():
+    assert [_library._abi(v) for v in ((0, 1, 0), (0, 1, 7), (0, 2, 0), (1, 0, 0), (1, 4, 2), (2, 1, 0))] == [
+        "0.1", "0.1", "0.2", "1", "1", "2"]
 
 
 def test_an_index_out_of_range_is_refused_by_the_library(context):

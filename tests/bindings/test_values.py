@@ -281,6 +281,9 @@ def test_what_a_mask_hides_is_not_known(context):
     with pytest.raises(TypeError, match="indices: .* a masked array"):
         scene.add_mesh(SQUARE, np.ma.masked_equal([(0, 1, 2)], 0), scene.add_material())
     scene.add_meters(np.ma.array(np.ones((3, 3))), (0, 0, 1))  # one that hides nothing
+    with pytest.raises(TypeError, match="reflectance_rgb: a masked array"):
+        scene.add_material(reflectance_rgb=np.ma.masked_less([0.5, 0.25, 0.1], 0.2))
+    scene.add_material(reflectance_rgb=np.ma.array([0.5, 0.25, 0.1]))
 
 
 def test_floats_that_are_not_aligned_are_copied(context):
@@ -330,6 +333,8 @@ def test_complex_numbers_are_no_coordinates(context):
         scene.add_texture(np.full((1, 1, 3), 0.25 + 5j))
     with pytest.raises(TypeError, match="to_world: expected real numbers"):
         scene.set_transform(ups.InstanceId(1), np.eye(3, 4) * 1j)
+    with pytest.raises(TypeError, match="reflectance_rgb: expected real numbers"):
+        scene.add_material(reflectance_rgb=np.full(3, 0.25 + 5j))
 
 
 def test_a_job_is_waited_for_without_end(context):

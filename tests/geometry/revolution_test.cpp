@@ -45,9 +45,10 @@ Affine placed(double angle, const Vec3d& t) {  // turned about x
 
 struct Rig {
   std::vector<std::shared_ptr<const Mesh>> meshes;
-  std::vector<SurfaceTexturing> texturing{1};
+  std::vector<SurfaceTexturing> texturing;
   std::unique_ptr<Raytracer> tracer;
-  Rig(std::shared_ptr<const Mesh> mesh, const std::vector<Affine>& places) : meshes{std::move(mesh)} {
+  Rig(std::shared_ptr<const Mesh> mesh, const std::vector<Affine>& places, const SurfaceTexturing& t = {})
+      : meshes{std::move(mesh)}, texturing{t} {
     std::vector<Raytracer::Instance> instances;
     for (const Affine& a : places) instances.push_back({0, a});
     ThreadPool pool(2);
@@ -240,6 +241,35 @@ TEST(Revolution, AllHitsAreFoundOnce) {
         EXPECT_NEAR(double(hits[k].t), middle + (k < balls ? -half : half), 1e-5);
     }
   }
+}
+
+// Without UVs a mask cuts all of a part or nothing.
+TEST(Revolution, MaskCutsAndBlendIsThereForEachRay) {
+  const auto ball = round_mesh(optics::sphere(0.25), coarse);
+  const Vec3 o(0.01f, 0.02f, 1), d(0, 0, -1);
+  const auto expect = [&](bool there, const SurfaceTexturing& t) {
+    for (const auto& places : {std::vector{Affine()}, std::vector{Affine(), placed(0, {3, 0, 0})}}) {
+      const Rig rig(ball, places, t);
+      Hit hit;
+      std::vector<Hit> hits;
+      EXPECT_EQ(rig.tracer->intersect(o, d, 2, hit), there);
+      EXPECT_EQ(rig.tracer->occluded(o, d, 2), there);
+      rig.tracer->intersect_all(o, d, 2, hits);
+      EXPECT_EQ(hits.size(), there ? 2u : 0u);
+    }
+  };
+  const Texture faint(1, 1, 4, {1, 1, 1, 0.3f});
+  SurfaceTexturing t;
+  t.alpha_mode = SurfaceTexturing::mask;
+  expect(true, t);
+  t.alpha_factor = 0.4f;
+  expect(false, t);
+  t.alpha_cutoff = 0.25f;
+  expect(true, t);
+  t.alpha = &faint;
+  expect(false, t);
+  t.alpha_mode = SurfaceTexturing::blend;
+  expect(true, t);
 }
 
 TEST(Revolution, AddressesLeadBackToTheirPoints) {

@@ -120,6 +120,26 @@ TEST_F(ForeignFile, AccessorsWithoutABufferViewAreZeros) {
   expect_square();
 }
 
+// As a product of matrices in single precision leaves it; a projection is none.
+TEST_F(ForeignFile, MatricesWhoseLastRowIsRounded) {
+  SceneBuilder builder = with_material({{"extras", {{"ups", {{"model", "matte"}, {"reflectance", 0.5}}}}}});
+  json matrix = {2, 0, 0, 0, 0, 1, 0, 1e-7, 0, 0, 1, 0, 3, 0, 0, 1};
+  for (const double w : {1.0000001, 0.999991}) {
+    matrix[15] = w;
+    builder.doc["nodes"][0]["matrix"] = matrix;
+    import(builder);
+    ASSERT_EQ(scene.instances.size(), 1u);
+    expect_near(point(scene.instances[0].to_world, 1, 0, 0), {5 / w, 0, 0});
+  }
+  for (const auto& [place, value] : {std::pair(3, 0.1), {15, 1.1}, {15, 0.0}}) {
+    json projection = matrix;
+    projection[15] = 1;
+    projection[size_t(place)] = value;
+    builder.doc["nodes"][0]["matrix"] = projection;
+    expect_failure(builder, UPS_ERROR_PARSE, {"node 0", "\"matrix\" must end in the row 0, 0, 0, 1"});
+  }
+}
+
 TEST_F(ForeignFile, TexturesOfUnknownExtensionsLeaveTheFactor) {
   SceneBuilder builder = with_material(
       {{"pbrMetallicRoughness",

@@ -80,6 +80,40 @@ TEST_F(GoodFile, StripsFansPointsAndPlainVertices) {
   EXPECT_TRUE(warned("primitive 3: points and lines are skipped")) << warnings();
 }
 
+// Two squares of one buffer, whose attributes bear the vertices' numbers; vertices 0 and 3 lie far away.
+TEST_F(GoodFile, PrimitivesTakeTheVerticesThatTheyUse) {
+  SceneBuilder builder;
+  const std::vector<float> positions = {90, 0, 0, 0, 0, 0, 1, 0, 0, 90, 9, 0, 1, 1, 0,
+                                        0,  1, 0, 2, 0, 0, 3, 0, 0, 3,  1, 0, 2, 1, 0};
+  std::vector<float> normals, uvs, tangents;
+  for (const float v : {0.f, 1.f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f, 8.f, 9.f}) {
+    normals.insert(normals.end(), {v, 0, 1});
+    uvs.insert(uvs.end(), {v, 2 * v});
+    tangents.insert(tangents.end(), {1, 0, 0, v});
+  }
+  const json attributes = {{"POSITION", builder.add_floats(positions, "VEC3", 3)},
+                           {"NORMAL", builder.add_floats(normals, "VEC3", 3)},
+                           {"TEXCOORD_0", builder.add_floats(uvs, "VEC2", 2)},
+                           {"TANGENT", builder.add_floats(tangents, "VEC4", 4)}};
+  json primitives = json::array();
+  for (const std::vector<uint16_t>& indices :
+       {std::vector<uint16_t>{5, 1, 2, 5, 2, 4}, std::vector<uint16_t>{6, 7, 8, 6, 8, 9}})
+    primitives.push_back(
+        {{"attributes", attributes}, {"indices", builder.add_accessor<uint16_t>(indices, 5123, "SCALAR", 1)}});
+  builder.doc["meshes"] = json::array({json{{"primitives", primitives}}});
+  builder.add_node({{"mesh", 0}});
+  import(builder);
+  ASSERT_EQ(scene.meshes.size(), 2u);
+  EXPECT_EQ(scene.meshes[0].positions, (std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
+  EXPECT_EQ(scene.meshes[0].indices, (std::vector<uint32_t>{3, 0, 1, 3, 1, 2}));
+  EXPECT_EQ(scene.meshes[0].normals, (std::vector<float>{1, 0, 1, 2, 0, 1, 4, 0, 1, 5, 0, 1}));
+  EXPECT_EQ(scene.meshes[0].uvs, (std::vector<float>{1, 2, 2, 4, 4, 8, 5, 10}));
+  EXPECT_EQ(scene.meshes[0].tangents, (std::vector<float>{1, 0, 0, 1, 1, 0, 0, 2, 1, 0, 0, 4, 1, 0, 0, 5}));
+  EXPECT_EQ(scene.meshes[1].positions, (std::vector<float>{2, 0, 0, 3, 0, 0, 3, 1, 0, 2, 1, 0}));
+  EXPECT_EQ(scene.meshes[1].indices, (std::vector<uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(scene.meshes[1].uvs, (std::vector<float>{6, 12, 7, 14, 8, 16, 9, 18}));
+}
+
 TEST_F(GoodFile, SparseAndQuantizedAccessors) {
   SceneBuilder builder;
   builder.add_square();
@@ -132,11 +166,17 @@ TEST_F(GoodFile, WhatIsSkippedIsNamed) {
   builder.doc["animations"] = json::array({{{"channels", json::array()}, {"samplers", json::array()}}});
   builder.doc["skins"] = json::array({{{"joints", {0}}}});
   builder.doc["meshes"][0]["extras"]["ups"] = {{"model", "matte"}};
+  builder.doc["meshes"][0]["primitives"][0]["extras"]["ups"] = {{"model", "matte"}};
+  const json light = {{"type", "point"}, {"uri", "lamp.ies"}, {"extras", {{"ups", {{"group", 1}}}}}};
+  for (const char* extension : {"KHR_lights_punctual", "EXT_lights_ies"})
+    builder.doc["extensions"][extension]["lights"] = json::array({light});
   builder.doc["scenes"].push_back({{"nodes", json::array()}});
   builder.add_node({{"mesh", 0}, {"skin", 0}, {"extensions", {{"KHR_node_visibility", {{"visible", true}}}}}});
   import(builder);
-  for (const char* word : {"KHR_materials_variants", "animations", "skin", "KHR_node_visibility", "meshes[0]",
-                           "scene 0", "without a material"}) {
+  for (const char* word : {"KHR_materials_variants", "animations", "skin", "KHR_node_visibility",
+                           "meshes[0]: extras.ups", "meshes[0].primitives[0]: extras.ups",
+                           "KHR_lights_punctual light 0: extras.ups",
+                           "EXT_lights_ies light 0: extras.ups", "scene 0", "without a material"}) {
     EXPECT_TRUE(warned(word)) << word << " is not in: " << warnings();
   }
   EXPECT_FALSE(warned("KHR_materials_ior"));

@@ -221,6 +221,29 @@ TEST_F(GoodFile, ScaleDoesNotMoveMetersApart) {
   EXPECT_TRUE(warned("node 1 \"desk\": its scale is ignored")) << warnings();
 }
 
+// In a room that is mirrored they look where their mirror images do, and see what is there: told, as it is of fixtures.
+TEST_F(GoodFile, EyesAreNotMirrored) {
+  SceneBuilder builder;
+  builder.doc["cameras"] = json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}});
+  builder.add_node({{"scale", {1, 1, -1}}, {"children", {1, 2}}});
+  builder.doc["nodes"].push_back({{"name", "view"}, {"camera", 0}});
+  builder.doc["nodes"].push_back({{"name", "desk"}, {"extras", {{"ups", {{"observer", json::object()}}}}}});
+  builder.add_node({{"name", "plain"}, {"camera", 0}});
+  import(builder);
+  EXPECT_TRUE(warned("node 1 \"view\": a node above it mirrors, which a camera cannot be")) << warnings();
+  EXPECT_TRUE(warned("node 2 \"desk\": a node above it mirrors, which an observer cannot be")) << warnings();
+  EXPECT_FALSE(warned("node 3")) << warnings();
+  ASSERT_EQ(scene.cameras.size(), 2u);
+  ASSERT_EQ(scene.observers.size(), 1u);
+  const auto expect_south = [](const double (&to_world)[12]) {
+    expect_near(point(to_world, 0, 0, -1), {0, -1, 0});
+    expect_near(point(to_world, 0, 1, 0), {0, 0, 1});
+    expect_near(point(to_world, 1, 0, 0), {-1, 0, 0});  // west is right of who looks south
+  };
+  expect_south(scene.cameras[0].to_world);
+  expect_south(scene.observers[0].to_world);
+}
+
 TEST_F(GoodFile, Names) {
   SceneBuilder builder;
   builder.doc["cameras"] = json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}});

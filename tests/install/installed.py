@@ -90,6 +90,10 @@ def check_csharp(prefix):
     assert re.fullmatch(r"\d+\.\d+\.\d+", told["Version"]) and Path(told["UpsLicense"]).exists(), told
 
 
+def status_of(page):
+    return page.read_text(encoding="utf-8").partition(".SH EXIT STATUS\n")[2]
+
+
 def check_manual(prefix, build):
     program = build / "bin/ups"
     if not program.exists():
@@ -98,6 +102,8 @@ def check_manual(prefix, build):
     subprocess.run([sys.executable, generator, program, "--check"], check=True)
     pages = {p.name for p in (prefix / "share/man/man1").iterdir()}
     assert pages == {p.name for p in generator.parent.glob("*.1")} and "ups.1" in pages, pages
+    stopped = {p for p in pages if "the results so far" in status_of(prefix / "share/man/man1" / p)}
+    assert stopped == {"ups.1", "ups-render.1", "ups-goniometer.1"}, stopped  # others end with nothing written
 
 
 def main():

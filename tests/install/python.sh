@@ -31,7 +31,10 @@ try() ( # ENVIRONMENT system|inside
 )
 
 environment installed
-quietly "$python" -m pip --python installed/bin/python install --no-build-isolation "$root/bindings/python"
+pip_install() { "$python" -m pip --python installed/bin/python install --no-build-isolation "$root/bindings/python"; }
+UPS_BUILD=no/such/build pip_install >log 2>&1 || true
+grep -q "there is no folder $(realpath "$root")/no/such/build" log || { cat log >&2; exit 1; }
+UPS_BUILD=$(realpath --relative-to="$root" "$build") quietly pip_install # as someone in the root would write it
 try installed system
 
 UPS_BUNDLE=1 quietly "$python" -m pip wheel --no-build-isolation --no-deps -w wheels "$root/bindings/python"

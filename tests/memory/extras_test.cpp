@@ -151,6 +151,18 @@ TEST_F(MemoryOfExtras, PicturesAreWritten) {
   limit([&] { return ups_ocio_write_png(path.c_str(), rgb.data(), 32, 24, 0); }, &ups_ocio_last_error, path);
 }
 
+// OpenColorIO kept 16 KiB of each.
+TEST_F(MemoryOfExtras, ExposuresAreNotKept) {
+  const std::vector<float> rgb(3 * 8 * 6, 10.0f);
+  const std::string path = file("image.png");
+  const auto write = [&](int i) { return ups_ocio_write_png(path.c_str(), rgb.data(), 8, 6, 0.01 * (i + 1)); };
+  constexpr int warm = 20, pictures = 200;
+  for (int i = 0; i < warm; ++i) ASSERT_EQ(write(i), UPS_OK) << ups_ocio_last_error();
+  const long before = bytes_allocated();
+  for (int i = warm; i < warm + pictures; ++i) ASSERT_EQ(write(i), UPS_OK) << ups_ocio_last_error();
+  EXPECT_LT(bytes_allocated() - before, 1 << 18);
+}
+
 TEST_F(MemoryOfExtras, FalseColoursAreWritten) {
   const std::vector<float> values(32 * 24, 10.0f);
   auto desc = make_desc<ups_ocio_false_color_desc>(ups_ocio_false_color_desc_init);

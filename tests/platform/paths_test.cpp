@@ -75,5 +75,16 @@ TEST(Paths, WithinAFolder) {
   EXPECT_FALSE(lies_within("../none.ies", ""));
 }
 
+TEST(Paths, OneNameOfAFile) {
+  const ScratchFolder scratch;
+  EXPECT_FALSE(make_folder(scratch.path(strange)));
+  const std::string file = scratch.path(strange + "/a");
+  replace_file(file, "x", 1);
+  EXPECT_NE(resolved(file), "");
+  EXPECT_EQ(resolved(scratch.path(strange + "/../" + strange + "/./a")), resolved(file));
+  EXPECT_EQ(resolved(scratch.path(strange + "/b")), "") << "not there";
+  EXPECT_EQ(resolved(""), "");
+}
+
 }  // namespace
 }  // namespace ups::platform

@@ -139,6 +139,24 @@ TEST(MeterStatistics, SharesHoldWhatFewPathsFound) {
   EXPECT_LE(one.high, 0.89);
 }
 
+// Without noise the share is all there is: rounding leaves no value outside its interval.
+TEST(MeterStatistics, AnExactShareIsWithinItsInterval) {
+  const double no_bias[batch_count] = {};
+  double batch[batch_count];
+  MeterBatches meters(batch_count);
+  for (int m = 0; m < 10; ++m) {
+    std::fill(batch, batch + batch_count, 10.0 * m);
+    meters.add({10.0 * m, {0, 0}, 0}, batch, no_bias);
+  }
+  for (double threshold = 5; threshold < 95; threshold += 10) {
+    const auto [value, interval] = share_above(meters, threshold);
+    EXPECT_NEAR(value, (95 - threshold) / 100, 1e-12);
+    EXPECT_LE(interval.low, value);
+    EXPECT_GE(interval.high, value);
+    EXPECT_NEAR(interval.high - interval.low, 0, 1e-12);
+  }
+}
+
 // So do percentiles: ten bright ones may be the darkest, ten dark ones above the median. What is known keeps its noise.
 TEST(MeterStatistics, PercentilesHoldWhatFewPathsFound) {
   const MeterBatches bright = beside(std::vector<Few>(10, {90, 85})), dark = beside(std::vector<Few>(10, {0, 80}));

@@ -1,9 +1,12 @@
 // Maps: where isolines run, what the colours and verdicts are, how they are drawn.
+#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
+#include <string_view>
 
 #include "report/map_data.h"
 #include "report/map_plot.h"
@@ -34,6 +37,31 @@ std::multiset<std::string> labels_of(const Drawing& drawing) {
   for (const auto& part : drawing.parts)
     if (const auto* label = std::get_if<Label>(&part)) labels.insert(label->text);
   return labels;
+}
+
+// Of a rectangle of its PNG, a unit a pixel.
+std::set<uint32_t> colours_within(const Drawing& drawing, int left, int top, int right, int bottom) {
+  const std::string png = to_png(drawing, 1);
+  std::string_view rest = png;
+  const auto read = [](void* from, unsigned char* to, unsigned int size) {
+    auto& bytes = *static_cast<std::string_view*>(from);
+    if (bytes.size() < size) return CAIRO_STATUS_READ_ERROR;
+    std::memcpy(to, bytes.data(), size);
+    bytes.remove_prefix(size);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(read, &rest);
+  EXPECT_EQ(cairo_surface_status(surface), CAIRO_STATUS_SUCCESS);
+  const unsigned char* pixels = cairo_image_surface_get_data(surface);
+  std::set<uint32_t> colours;
+  for (int y = top; y < bottom; ++y)
+    for (int x = left; x < right; ++x) {
+      uint32_t pixel;
+      std::memcpy(&pixel, pixels + y * cairo_image_surface_get_stride(surface) + 4 * x, 4);
+      colours.insert(pixel & 0xffffff);
+    }
+  cairo_surface_destroy(surface);
+  return colours;
 }
 
 TEST(Isolines, OfARadialFieldAreCircles) {
@@ -77,6 +105,23 @@ TEST(Isolines, GoAroundASingleMeter) {
     data.values[(side / 2) * (side + 1)].value = 400;
     EXPECT_EQ(isolines_of(MapField(data), {500}).size(), 1u) << side;
   }
+}
+
+// A grid's image has a meter a pixel: a mean over its neighbours would be 475 lx.
+TEST(Isolines, OfAnImageOfAGridAreThoseOfItsMeters) {
+  MapData data = grid_of(16, 12, [](const Place&) { return 300.0; });
+  data.values[100].value = 1000;
+  data.is_image = true;
+  const MapData calm = calmed(data);
+  const std::vector<Isoline> lines = isolines_of(MapField(calm), {500}), own = isolines_of(MapField(data), {500});
+  ASSERT_EQ(own.size(), 1u);
+  ASSERT_EQ(lines.size(), 1u);
+  ASSERT_EQ(lines[0].points.size(), own[0].points.size());
+  for (size_t i = 0; i < own[0].points.size(); ++i) {
+    EXPECT_EQ(lines[0].points[i].x, own[0].points[i].x);
+    EXPECT_EQ(lines[0].points[i].y, own[0].points[i].y);
+  }
+  EXPECT_EQ(calmed(grid_of(100, 75, [](const Place&) { return 300.0; })).columns, 50u) << "of more pixels blocks";
 }
 
 TEST(Isolines, OfASaddleDoNotCross) {
@@ -189,6 +234,43 @@ TEST(MapRange, IsRoundedAndSaysWhatLiesBeyond) {
   EXPECT_NEAR(range_of(data, style).share(std::sqrt(200.0 * 600.0)), 0.5, 1e-9);
 }
 
+TEST(MapRange, HasBothItsEndsBesideLevelsThatAreNear) {
+  MapData data = grid_of(10, 10, [](const Place& p) { return 250 + 100 * p.x; });
+  data.values[5].value = 5000;
+  MapStyle style;
+  style.low = 0, style.high = 510;
+  const auto labels = labels_of(map_drawing(data, style));
+  EXPECT_TRUE(labels.count("\u2265 510"));
+  EXPECT_TRUE(labels.count("0"));
+  EXPECT_TRUE(labels.count("400"));
+}
+
+// Images of few pixels are enlarged, and between two pixels nothing is known.
+TEST(Map, OfCellsOrVerdictsHasNoColoursBetweenThem) {
+  MapData data = grid_of(4, 4, [](const Place& p) { return p.x * p.y > 0 ? 700.0 : 300.0; });
+  data.is_image = true;
+  MapStyle cells, verdicts;
+  cells.cells = true, cells.isolines = false;
+  verdicts.threshold = 500;
+  for (const MapStyle& style : {cells, verdicts}) {  // 4 x 115 units a side, from (14, 60) on
+    EXPECT_EQ(colours_within(map_drawing(data, style), 17, 63, 470, 516).size(), 2u) << style.threshold;
+  }
+  MapStyle smooth;
+  smooth.isolines = false;
+  EXPECT_GT(colours_within(map_drawing(data, smooth), 17, 63, 470, 516).size(), 20u);
+}
+
+// 499.6 lx is not 500 lx where 500 are wanted.
+TEST(Map, NumbersAreOnTheSideOfTheirVerdict) {
+  const MapData data = grid_of(4, 4, [](const Place& p) { return p.x * p.y > 0 ? 700.0 : 499.6; });
+  MapStyle style;
+  style.threshold = 500;
+  const auto labels = labels_of(map_drawing(data, style));
+  EXPECT_TRUE(labels.count("499.6") || labels.count("min 499.6"));
+  EXPECT_FALSE(labels.count("min 500"));
+  EXPECT_LE(labels.count("500"), 2u) << "beside those of the scale and of the line";
+}
+
 TEST(Map, HasItsWordsAndNoTwoNumbersInOnePlace) {
   MapData data = grid_of(24, 18, [](const Place& p) { return 200 + 600 * std::exp(-p.x * p.x - p.y * p.y); });
   data.summary = "mean 123 lx";
@@ -297,6 +379,22 @@ TEST(MapData, OfAListInReadingOrderIsNoMirrorImage) {
   EXPECT_EQ(MapField(*data).lattice()->step_y, 1);
 }
 
+// Seen from above its columns run west, as its image file shows them: a list of points would be turned.
+TEST(MapData, OfAMirroredGridHasItsRow0Below) {
+  std::vector<MeterPoint> points;
+  for (int r = 0; r < 2; ++r)
+    for (int c = 0; c < 3; ++c) points.push_back({{-1.0 * c, 1.0 * r, 0.75}, {0, 0, 1}, 100.0 + 10 * r + c, 1});
+  const auto data = meter_map("mirrored", points, 3, nullptr, true);
+  ASSERT_TRUE(data);
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(data->values[i].value, points[i].illuminance_lx);
+    EXPECT_NEAR(data->values[i].at.x - data->values[0].at.x, double(i % 3), 1e-9);
+    EXPECT_NEAR(data->values[i].at.y - data->values[0].at.y, double(i / 3), 1e-9);
+  }
+  EXPECT_NEAR(data->north_y, 1, 1e-9);
+  EXPECT_EQ(meter_map("listed", points, 3, nullptr)->values[0].value, points[3].illuminance_lx);
+}
+
 TEST(MapData, OfALeaningLatticeIsNoGridOfRectangles) {
   std::vector<double> positions;
   for (int r = 0; r < 4; ++r)
@@ -328,6 +426,13 @@ TEST(MapData, OfAFisheyeIsOfItsImageCircle) {
             std::string::npos);
   camera.projection = UPS_PERSPECTIVE;
   EXPECT_EQ(within_image(camera, all), all);
+}
+
+TEST(MapData, OfACamerasIlluminanceHasNoUniformity) {
+  const std::vector<float> lux = {100, 200, 300, 400};
+  EXPECT_EQ(image_map("view", "Illuminance", "lx", lux, {}, 2, 2).summary, "mean 250 lx, min 100, max 400 lx");
+  EXPECT_EQ(image_map("grid", "Illuminance", "lx", lux, {}, 2, 2, {}).summary,
+            "mean 250 lx, min 100, max 400 lx, U0 0.400");
 }
 
 TEST(MapData, OfATurnedLatticeLiesStraight) {

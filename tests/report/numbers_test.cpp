@@ -9,6 +9,7 @@
 
 #include "report/findings.h"
 #include "report/intervals.h"
+#include "report/page.h"
 #include "report/targets.h"
 #include "report/text_format.h"
 
@@ -37,6 +38,26 @@ TEST(Significant, DigitsHaveNoExponent) {
                             {5, 2, "5"},       {5.04, 2, "5"},       {0.00012, 2, "0.00012"}, {0, 2, "0"},
                             {-12.34, 3, "-12.3"}, {1e-9, 2, "1e-09"}, {INFINITY, 2, "inf"}};
   for (const Case& c : cases) EXPECT_EQ(significant(c.value, c.digits), c.text) << c.value;
+}
+
+// What is signed: no end of an interval lies within it, no bound is less than it is.
+TEST(Significant, BoundsAreRoundedUp) {
+  struct Case {
+    double value;
+    const char* text;
+  };
+  constexpr Case cases[] = {{1.049, "1.1"}, {1.1, "1.1"},     {0.3, "0.3"}, {double(0.6f), "0.6"}, {0.0991, "0.1"},
+                            {141, "150"},   {9.91, "10"},     {99.1, "100"}, {0, "0"},             {0.00021, "0.00021"},
+                            {0.999, "1"},   {0.000211, "0.00022"}};
+  for (const Case& c : cases) EXPECT_EQ(bound_text(c.value), c.text) << c.value;
+}
+TEST(Intervals, AreRoundedOutwards) {
+  EXPECT_EQ(interval(499.64, 499.91, lux), "499.6 to 500.0");
+  EXPECT_EQ(interval(0.5996, 0.6121, ratio), "0.599 to 0.613");
+  EXPECT_EQ(interval(double(0.6f), double(0.7f), ratio), "0.600 to 0.700");
+  EXPECT_EQ(interval(999.97, 1000.4, lux), "999.9 to 1001");
+  EXPECT_EQ(interval(0, 0, lux), "0.000");
+  EXPECT_EQ(with_interval(499.96, 499.94, 2000.2, lux), "500.0 <span class=\"i\">499.9 to 2001</span>");
 }
 
 TEST(Intervals, OfNoiseAreThoseOfStudentsT) {

@@ -167,6 +167,25 @@ TEST(Media, NestWhereBoxesMeet) {
   EXPECT_TRUE(gas.rank().nest) << "the index of air is no boundary";
 }
 
+// Cubes 1 m apart whose meshes hold each other's vertices; a tube stays open, whatever lies far away.
+TEST(Media, VerticesThatNoTriangleHasAreNothing) {
+  Solids s;
+  for (const float other : {2.0f, -2.0f}) {
+    s.cube(s.glass(1.5f), other > 0 ? 0 : 2, 1);
+    s.edit(s.instances.size() - 1, [&](Mesh& m) {
+      for (size_t v = 0; v < 8; ++v) m.positions.push_back(m.positions[v] + Vec3(other, 0, 0));
+    });
+  }
+  EXPECT_FALSE(s.rank().nest);
+  Solids tube;
+  tube.cube(tube.glass(1), 0, 1, 8);
+  tube.edit(0, [](Mesh& m) {
+    m.positions.insert(m.positions.begin(), Vec3(1e6f, 0, 0));
+    for (uint32_t& index : m.indices) ++index;
+  });
+  EXPECT_TRUE(tube.rank().by_rank.at(0).is_open());
+}
+
 // Faces that lie on one another are all found.
 TEST(Media, AllHitsOfFacesThatCoincide) {
   Solids s;

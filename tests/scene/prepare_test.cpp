@@ -25,6 +25,33 @@ TEST(Prepare, OriginIsNearTheCentre) {
   EXPECT_EQ(s->meter_set_ids[0], 1u);
 }
 
+// Wherever the vertices lie that no triangle has: of a mesh that two instances show, and of one that is alone.
+TEST(Prepare, BoundsAreOfTheTriangles) {
+  Things t;
+  const float p[15] = {3e38f, 0, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 40};
+  const uint32_t i[3] = {1, 2, 3};
+  ups_mesh_desc m{};
+  m.vertex_count = 5, m.triangle_count = 1;
+  m.material.v = t.material(UPS_MATERIAL_MATTE, 10);
+  m.positions_m = p, m.indices = i;
+  const ups_mesh_id shared = t.description.add_mesh(m), alone = t.description.add_mesh(m);
+  const auto add = [&](ups_mesh_id mesh, double scale, double x) {
+    ups_instance_desc d{};
+    d.mesh = mesh;
+    d.to_world[0] = d.to_world[5] = d.to_world[10] = scale, d.to_world[3] = x;
+    t.description.add_instance(d);
+  };
+  add(shared, 1, 0), add(shared, 1, 2), add(alone, 2, 4);
+  const auto s = t.build();
+  const auto expect = [](const Vec3d& found, const Vec3d& expected) { EXPECT_LT(length(found - expected), 1e-4); };
+  EXPECT_EQ(s->extent, 8);
+  expect(Vec3d(s->raytracer->bounds_min()) + s->origin, {0, 0, 1});
+  expect(Vec3d(s->raytracer->bounds_max()) + s->origin, {6, 2, 2});
+  ASSERT_EQ(s->sources.size(), 3u);
+  expect(s->sources[0].bounds_min, {0, 0, 1}), expect(s->sources[0].bounds_max, {1, 1, 1});
+  expect(s->sources[2].bounds_min, {4, 0, 2}), expect(s->sources[2].bounds_max, {6, 2, 2});
+}
+
 TEST(Prepare, EmissionLeavesTheFrontOfMirroredBoxesToo) {
   for (const bool mirrored : {false, true}) {
     Things t;

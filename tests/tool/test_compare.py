@@ -1,4 +1,5 @@
 """`ups compare` on images whose errors are known by hand. Usage: test_compare.py PATH_TO_UPS [unittest options]"""
+import itertools
 import json
 import os
 import struct
@@ -8,28 +9,31 @@ import unittest
 import test_program
 
 
-def write_exr(path, width, height, channels):
-    """Float channels, row by row, uncompressed (https://openexr.com/en/latest/OpenEXRFileLayout.html)."""
-    names = sorted(channels)
+def write_exr(path, width, height, channels, at=(0, 0), display=None, halved=()):
+    """Float channels, row by row, uncompressed (https://openexr.com/en/latest/OpenEXRFileLayout.html). at: where their
+    top left pixel lies in the display window; display: its width and height, if they are others; halved: channels of
+    which every second pixel of every second row is kept."""
+    steps = {name: 2 if name in halved else 1 for name in sorted(channels)}
 
     def attribute(name, kind, data):
         return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(data)) + data
 
-    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
-    listed = b"".join(name.encode() + b"\0" + struct.pack("<iB3xii", 2, 0, 1, 1) for name in names) + b"\0"
+    window = struct.pack("<4i", *at, at[0] + width - 1, at[1] + height - 1)
+    shown = struct.pack("<4i", 0, 0, *(side - 1 for side in display or (width, height)))
+    listed = b"".join(name.encode() + b"\0" + struct.pack("<iB3xii", 2, 0, k, k) for name, k in steps.items()) + b"\0"
     header = struct.pack("<ii", 20000630, 2) + b"".join((
         attribute("channels", "chlist", listed), attribute("compression", "compression", b"\0"),
-        attribute("dataWindow", "box2i", window), attribute("displayWindow", "box2i", window),
+        attribute("dataWindow", "box2i", window), attribute("displayWindow", "box2i", shown),
         attribute("lineOrder", "lineOrder", b"\0"), attribute("pixelAspectRatio", "float", struct.pack("<f", 1)),
         attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)),
         attribute("screenWindowWidth", "float", struct.pack("<f", 1)))) + b"\0"
-    row_bytes = 4 * width * len(names)
-    start = len(header) + 8 * height
+    rows = []
+    for y in range(height):
+        row = [v for name, k in steps.items() if y % k == 0 for v in channels[name][y * width:(y + 1) * width:k]]
+        rows.append(struct.pack(f"<ii{len(row)}f", at[1] + y, 4 * len(row), *row))
+    starts = itertools.accumulate((len(row) for row in rows[:-1]), initial=len(header) + 8 * height)
     with open(path, "wb") as file:
-        file.write(header + struct.pack(f"<{height}Q", *(start + y * (8 + row_bytes) for y in range(height))))
-        for y in range(height):
-            row = [v for name in names for v in channels[name][y * width:(y + 1) * width]]
-            file.write(struct.pack(f"<ii{len(row)}f", y, row_bytes, *row))
+        file.write(b"".join([header, struct.pack(f"<{height}Q", *starts), *rows]))
 
 
 class Comparisons(test_program.ProgramTest):
@@ -71,6 +75,35 @@ class Comparisons(test_program.ProgramTest):
         mixed = json.loads(self.run_program("compare", b, plain, "--json").stdout)
         self.assertAlmostEqual(mixed["rmse"], 0, delta=1e-6)
         self.assertEqual(set(mixed["channels"].values()), {-1})
+
+    def test_compare_cropped_files(self):
+        """What a crop leaves out is black; where it lies counts. The whole image is 6 x 4, lit at (2, 1) to (3, 2)."""
+        lit = {(2, 1): 1.0, (3, 1): 2.0, (2, 2): 3.0, (3, 2): 4.0}
+        whole, crop, moved, beyond = (self.path(name) for name in ("whole.exr", "crop.exr", "moved.exr", "beyond.exr"))
+        write_exr(whole, 6, 4, {"Y": [lit.get((x, y), 0.0) for y in range(4) for x in range(6)]})
+        values = {"Y": [1.0, 2.0, 3.0, 4.0]}
+        write_exr(crop, 2, 2, values, (2, 1), (6, 4))
+        write_exr(moved, 2, 2, values, (3, 1), (6, 4))
+        write_exr(beyond, 2, 2, values, (-1, 1), (6, 4))
+        same = json.loads(self.run_program("compare", crop, whole, "--json").stdout)
+        self.assertEqual(same["rmse"], 0)
+        self.assertAlmostEqual(same["mean_a"], 10 / 24, delta=1e-6)
+        other = json.loads(self.run_program("compare", moved, crop, "--json").stdout)
+        self.assertAlmostEqual(other["rmse"], (32 / 24) ** 0.5, delta=1e-6)  # 1, 1, 2 and 3, 1, 4 in two rows
+        self.assertEqual(other["worst_pixel"], [4, 2])
+        self.expect_failure("compare", beyond, crop, words=["7 x 4", "6 x 4"])
+        write_exr(beyond, 2, 2, values, display=(40000, 40000))  # black but for four pixels, in 400 bytes
+        self.expect_failure("compare", beyond, crop, words=["beyond.exr", "40000 x 40000"])
+
+    def test_compare_luminance_and_chroma(self):
+        """Y is compared; RY and BY have a quarter of its pixels."""
+        y = [float(i % 7) for i in range(24)]
+        both, plain, chroma = (self.path(name) for name in ("both.exr", "plain.exr", "chroma.exr"))
+        write_exr(both, 6, 4, {"Y": y, "RY": [0.5] * 24, "BY": [0.25] * 24}, halved=("RY", "BY"))
+        write_exr(plain, 6, 4, {"Y": y})
+        write_exr(chroma, 6, 4, {"RY": y}, halved=("RY",))
+        self.assertEqual(json.loads(self.run_program("compare", both, plain, "--json").stdout)["rmse"], 0)
+        self.expect_failure("compare", chroma, plain, words=["chroma.exr", "no channel"])
 
 
 if __name__ == "__main__":

@@ -199,11 +199,13 @@ class Measures(GoniometerTest):
         self.assertIn("maintenance factor of 0.5 is left out", done.stderr)
 
     def test_a_name_with_control_characters(self):
-        """It stands in a line of the distribution, which has none."""
-        self.write("my\tlamp.gltf", alone())
-        self.run_program("goniometer", self.path("my\tlamp.gltf"), "--iterations", 4, "--out", self.path("a.ies"))
-        words = {k["name"]: k["value"] for k in self.info("a.ies")["keywords"]}
-        self.assertEqual(words["LUMINAIRE"], "my_lamp")
+        """It stands in a line of the distribution, which has none, and is UTF-8."""
+        for stem in ("my\tlamp", "my\udcfflamp"):  # the second: the byte 0xff
+            self.write(stem + ".gltf", alone())
+            self.run_program("goniometer", self.path(stem + ".gltf"), "--iterations", 4, "--out", self.path("a.ies"))
+            words = {k["name"]: k["value"] for k in self.info("a.ies")["keywords"]}
+            self.assertEqual(words["LUMINAIRE"], "my_lamp")
+            os.remove(self.path("a.ies"))
 
     def test_the_scenes_own_goniometer(self):
         """One upright, one whose nadir is the world's zenith: what is down lies at gamma 180."""
@@ -306,7 +308,8 @@ class Refuses(GoniometerTest):
                 (["--opening", "disc"], ["disc:DIAMETER"]), (["--opening", "disc:-1"], ["disc:DIAMETER"]),
                 (["--opening", "rectangle:1"], ["rectangle:XxY"]), (["--opening", "rectangle:1x"], ["rectangle:XxY"]),
                 (["--keyword", "x"], ["NAME=VALUE"]), (["--keyword", "A]=x"], ["NAME=VALUE"]),
-                (["--keyword", "A=x\ny"], ["one line"]), (["--method", "pt"], ["--method", "lt"])):
+                (["--keyword", "A=x\ny"], ["one line"]), (["--keyword", "A=x\udcff"], ["--keyword", "UTF-8", "x\\xff"]),
+                (["--method", "pt"], ["--method", "lt"])):
             with self.subTest(options=options):
                 done = self.run_program("goniometer", self.scene, *options, code=2)
                 self.assertEqual(done.stdout, "")
@@ -321,6 +324,14 @@ class Refuses(GoniometerTest):
                                     ("--plot", "none/p.svg", ["--plot", "no folder"])):
             with self.subTest(path=path):
                 self.expect_failure("goniometer", self.scene, option, self.path(path), "--time", 1000, words=words)
+
+    def test_files_that_the_scene_reads_stay(self):
+        lamp = {"rotation": test_program.UP, "extras": {"ups": {"luminaire": {"file": "lamp.ies"}}}}
+        scene, file = self.write("lamp.gltf", scene_of(lamp)), self.write("lamp.ies", test_program.IES)
+        self.expect_failure("goniometer", scene, "--time", 1000, "--out", file, words=["--out", "lamp.ies", "reads"])
+        with open(file, encoding="utf-8") as text:
+            self.assertEqual(text.read(), test_program.IES)
+        self.run_program("goniometer", scene, "--iterations", 4, "--out", self.path("again.ies"))
 
     def test_scenes(self):
         dark = self.write("dark.gltf", scene_of({"name": "nothing"}))

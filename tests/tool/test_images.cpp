@@ -85,14 +85,45 @@ TEST_F(Images, ExrKeepsEveryBit) {
   ups_exr_image_destroy(image);
 }
 
+// As many as the images of techniques of up to 16 edges have.
+TEST_F(Images, ExrOfManyChannels) {
+  constexpr size_t count = 1638;
+  std::vector<float> values;
+  std::vector<std::string> names;
+  for (size_t i = 0; i <= 4096; ++i) {
+    values.push_back(float(i));
+    names.push_back("connect_s" + std::to_string(i) + ".R");
+  }
+  std::vector<ups_exr_channel> channels;
+  for (size_t i = 0; i < values.size(); ++i) channels.push_back({names[i].c_str(), &values[i], 0, 0});
+  ASSERT_EQ(ups_exr_write(path("a.exr").c_str(), 1, 1, channels.data(), uint32_t(count), nullptr, 0), UPS_OK)
+      << ups_exr_last_error();
+  ups_exr_image* image = nullptr;
+  ASSERT_EQ(ups_exr_read(path("a.exr").c_str(), &image), UPS_OK) << ups_exr_last_error();
+  uint32_t found = 0;
+  EXPECT_EQ(ups_exr_get_channel_count(image, &found), UPS_OK);
+  EXPECT_EQ(found, count);
+  float value = -1;
+  for (const size_t i : {size_t(0), size_t(1000), count - 1}) {
+    EXPECT_EQ(ups_exr_read_channel(image, names[i].c_str(), &value, 1), UPS_OK) << ups_exr_last_error();
+    EXPECT_EQ(value, values[i]);
+  }
+  ups_exr_image_destroy(image);
+  EXPECT_EQ(ups_exr_write(path("b.exr").c_str(), 1, 1, channels.data(), 4097, nullptr, 0), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(std::string(ups_exr_last_error()).find("at most 4096"), std::string::npos);
+}
+
 TEST_F(Images, ExrRefusesWhatCannotBeWritten) {
   const float value = 1;
   const ups_exr_channel twice[] = {{"Y", &value, 0, 0}, {"Y", &value, 0, 0}};
   EXPECT_EQ(ups_exr_write(path("a.exr").c_str(), 1, 1, twice, 2, nullptr, 0), UPS_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(ups_exr_write(path("a.exr").c_str(), 1, 1, nullptr, 0, nullptr, 0), UPS_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(ups_exr_write(path("a.exr").c_str(), 0, 1, twice, 1, nullptr, 0), UPS_ERROR_INVALID_ARGUMENT);
-  const ups_exr_attribute reserved[] = {{"channels", "x"}};
-  EXPECT_EQ(ups_exr_write(path("a.exr").c_str(), 1, 1, twice, 1, reserved, 1), UPS_ERROR_INVALID_ARGUMENT);
+  for (const char* name : {"channels", "type", "version", "tiles", "chunkCount", "preview", "chromaticities"}) {
+    const ups_exr_attribute reserved[] = {{name, "scanlineimage"}};
+    EXPECT_EQ(ups_exr_write(path("a.exr").c_str(), 1, 1, twice, 1, reserved, 1), UPS_ERROR_INVALID_ARGUMENT) << name;
+    EXPECT_NE(std::string(ups_exr_last_error()).find(std::string(name) + "' is OpenEXR's own"), std::string::npos);
+  }
   EXPECT_EQ(ups_exr_write(path("no/folder/a.exr").c_str(), 1, 1, twice, 1, nullptr, 0), UPS_ERROR_IO);
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
@@ -167,10 +198,10 @@ TEST_F(Images, ChosenExposureShowsTheMeanAsGrey) {
 }
 
 TEST_F(Images, APictureSaysItsExposureAndThatItWasSmoothed) {
-  const std::vector<float> rgb(3 * 200 * 60, 50.f);
+  const std::vector<float> rgb(3 * 200 * 100, 50.f);
   ups_ocio_picture_desc desc;
   ups_ocio_picture_desc_init(&desc, sizeof desc);
-  desc.width = 200, desc.height = 60;
+  desc.width = 200, desc.height = 80;
   desc.luminance_rgb = rgb.data();
   const auto bytes = [&] {
     EXPECT_EQ(ups_ocio_write_picture_png(path("p.png").c_str(), &desc), UPS_OK) << ups_ocio_last_error();
@@ -194,12 +225,35 @@ TEST_F(Images, APictureSaysItsExposureAndThatItWasSmoothed) {
   EXPECT_TRUE(has(bytes(), std::string("tEXtComment\0smoothed for display", 32)));
   const Png said = read_png(path("p.png"));
   int white = 0;
-  for (int y = 45; y < 60; ++y)
+  for (int y = 65; y < 80; ++y)
     for (int x = 0; x < 200; ++x) white += said.at(x, y)[1] > 128;
   EXPECT_GT(white, 100);  // letters' strokes
   desc.smoothed = 2;
   EXPECT_EQ(ups_ocio_write_picture_png(path("q.png").c_str(), &desc), UPS_ERROR_INVALID_ARGUMENT);
   EXPECT_FALSE(std::filesystem::exists(path("q.png")));
+}
+
+TEST_F(Images, ASmallPictureIsNotCoveredByWhatItSays) {
+  const std::vector<float> rgb(3 * 200 * 100, 50.f);
+  ups_ocio_picture_desc desc;
+  ups_ocio_picture_desc_init(&desc, sizeof desc);
+  desc.luminance_rgb = rgb.data();
+  const auto pixels = [&](int32_t smoothed) {
+    desc.smoothed = smoothed;
+    EXPECT_EQ(ups_ocio_write_picture_png(path("p.png").c_str(), &desc), UPS_OK) << ups_ocio_last_error();
+    return read_png(path("p.png")).rgb;
+  };
+  for (const auto& [width, height] : {std::pair{24u, 16u}, {1u, 1u}, {200u, 67u}, {100u, 200u}}) {
+    desc.width = width, desc.height = height;
+    EXPECT_EQ(pixels(1), pixels(0)) << width << " x " << height;
+  }
+  desc.width = 200, desc.height = 68;
+  EXPECT_NE(pixels(1), pixels(0));
+  desc.width = 24, desc.height = 16;
+  pixels(1);
+  std::ifstream in(path("p.png"), std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_NE(bytes.find("smoothed for display"), std::string::npos);
 }
 
 TEST_F(Images, ViewIsGreyForGreyAndRisesWithLuminance) {

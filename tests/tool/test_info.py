@@ -91,6 +91,14 @@ class Info(test_program.ProgramTest):
         self.assertIn({"name": "MANUFAC", "value": "this project"}, lamp["keywords"])
         self.assertEqual(lamp["warnings"], [])
 
+    def test_a_scene_without_geometry_has_no_bounds(self):
+        scene = test_program.room()
+        for nodes, low, high in (([1, 3], None, None), ([0, 1, 3], [-2, -2, 0], [2, 2, 0])):
+            scene["scenes"][0]["nodes"] = nodes
+            (told,) = self.info(self.write("room.gltf", scene))
+            self.assertEqual(told["triangles"], 2 if 0 in nodes else 0)
+            self.assertEqual((told["bounds_min_m"], told["bounds_max_m"]), (low, high))
+
     def test_page(self):
         text = self.run_program("info", self.write("lamp.ies", LAMBERTIAN)).stdout
         for words in ("flux: 3141.59 lm", "light output ratio: 78.5 %", "luminous efficacy: 314.2 lm/W",

@@ -10,6 +10,7 @@ import need_numpy  # noqa: E402,F401
 import numpy as np  # noqa: E402
 import test_program  # noqa: E402
 from exr import read_channels  # noqa: E402
+from test_compare import write_exr  # noqa: E402
 from test_info import png_size  # noqa: E402
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -51,6 +52,9 @@ class Maps(test_program.ProgramTest):
             options = ["--illuminance"] if kind == "illuminance" else []
             self.run_program("map", os.path.join(out, "view.exr"), self.path("view.png"), *options)
             self.assertEqual(self.read("view.png"), self.read(f"out/view_{kind}.png"))
+            self.assertNotIn("U0", self.svg(f"out/view_{kind}.svg")[1])
+        self.run_program("map", os.path.join(out, "work_plane.exr"), self.path("grid.svg"))
+        self.assertRegex(self.svg("grid.svg")[1], r", U0 0\.\d")
 
     def test_sizes_and_page(self):
         self.run_program("map", self.grid(), *(self.path("map" + e) for e in (".png", ".svg", ".pdf")))
@@ -90,6 +94,20 @@ class Maps(test_program.ProgramTest):
         values = [400 + 10 * c + r for r in range(12) for c in range(16)]
         met, not_met = sum(v - 15 >= 500 for v in values), sum(v + 15 < 500 for v in values)
         self.assertIn(f"is met at {met}, not sure at {192 - met - not_met}, not met at {not_met}.", told["verdict"])
+
+    def test_lines_of_a_grids_image_are_those_of_its_table(self):
+        """One meter of 1000 lx among 300: lines at 500, 600, 700, 800 and 900 go around it."""
+        lux = [[1000 if (r, c) == (5, 7) else 300 for c in range(16)] for r in range(12)]
+        file = self.write("grid.csv", table([(0.5 * c, 0.5 * r, 0.8, lux[r][c], 15)
+                                             for r in range(12) for c in range(16)]))
+        write_exr(self.path("grid.exr"), 16, 12, {"Y": [v for row in reversed(lux) for v in row]})
+        told = {}
+        for name in (file, self.path("grid.exr")):
+            self.run_program("map", name, self.path("grid.svg"), "--map-range", "500:1500")
+            told[name] = re.sub(", 95 % bound of the worst value [0-9.]+ %", "", self.svg("grid.svg")[1])
+            lines = re.findall(rb'stroke-opacity[:=]"?0\.9[;"]', self.read("grid.svg"))
+            self.assertGreaterEqual(len(lines), 5, msg=name)
+        self.assertEqual(len(set(told.values())), 1, msg=told)
 
     def test_hatching_takes_no_more_room_than_the_map(self):
         """Of cells that are not sure, scattered as noise has them: a line each would write all cells anew each."""

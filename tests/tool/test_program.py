@@ -30,6 +30,9 @@ TILT=NONE
 100 100 100
 """
 
+PIXEL = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5Er"
+                         "kJggg==")  # a PNG of one
+
 CSV_HEADER = ("x_m,y_m,z_m,nx,ny,nz,illuminance_lx,standard_error_lx,bias_lx,error_bound_lx,direct_lx,indirect_lx")
 
 
@@ -65,6 +68,13 @@ def room():
              "extras": {"ups": {"width": 24, "height": 16, "illuminance_camera": True}}},
         ],
     }
+
+
+def with_image(scene, uri):
+    """It is read, though no surface shows it."""
+    scene["images"], scene["textures"] = [{"uri": uri}], [{"source": 0}]
+    scene["materials"].append({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})
+    return scene
 
 
 # Of room().
@@ -472,6 +482,58 @@ class Render(ProgramTest):
                             words=["--out", "two of the scene's", "spot_luminaires.csv"])
         self.run_program("render", path, "--iterations", 1, "--out", self.path("out"))
 
+    def test_files_that_the_scene_reads_fail_before_the_render(self):
+        def image(scene):
+            with_image(scene, "work%5Fplane.png")  # as a URI may write it
+            return "work_plane.png", PIXEL
+
+        def buffer(scene):
+            data = scene["buffers"][0]["uri"].partition(",")[2]
+            scene["buffers"][0]["uri"] = "view.exr"
+            return "view.exr", base64.b64decode(data)
+
+        def luminaire(scene):
+            scene["nodes"][0]["extras"] = {"ups": {"luminaire": {"file": "spot.csv"}}}
+            return "spot.csv", IES
+
+        def light(scene):
+            scene["extensionsUsed"].append("EXT_lights_ies")
+            scene["extensions"]["EXT_lights_ies"] = {"lights": [{"uri": "./spot.csv"}]}
+            scene["nodes"][0]["extensions"] = {"EXT_lights_ies": {"light": 0}}
+            return "spot.csv", IES
+
+        os.symlink(".", self.path("here"))
+        for change in (image, buffer, luminaire, light):
+            scene = room()
+            name, content = change(scene)
+            self.write(name, content)
+            text = json.dumps(scene).encode()
+            text += b" " * (-len(text) % 4)
+            self.write("room.gltf", text)
+            self.write("room.glb", struct.pack("<4s3I4s", b"glTF", 2, 20 + len(text), len(text), b"JSON") + text)
+            before = sorted(os.listdir(self.folder.name))
+            for file, out in (("room.gltf", "."), ("room.gltf", "here"), ("room.glb", self.folder.name)):
+                with self.subTest(change=change.__name__, file=file, out=out):
+                    self.expect_failure("render", file, "--time", 1000, "--out", out,
+                                        words=["--out", name, f"the scene {file} reads"])
+            self.assertEqual(sorted(os.listdir(self.folder.name)), before)
+            self.run_program("render", "room.glb", "--iterations", 1, "--out", "out")
+            os.remove(self.path(name))
+        self.write("report.html", room())
+        self.expect_failure("render", "report.html", "--time", 1000, "--report", "--out", ".",
+                            words=["--out", "report.html", "the scene report.html reads"])
+
+    def test_drawings_do_not_replace_what_the_scene_reads(self):
+        self.write("room.gltf", with_image(room(), "paint.png"))
+        self.write("paint.png", PIXEL)
+        self.run_program("render", "room.gltf", "--iterations", 1, "--out", "out")
+        self.expect_failure("map", "out/work_plane.csv", "paint.png", "--scene", "room.gltf",
+                            words=["OUT", "paint.png", "reads"])
+        self.expect_failure("replay", "room.gltf", "--sample", "spot/0/0/eye/0/1", "--plot", "paint.png",
+                            words=["--plot", "paint.png", "reads"])
+        with open(self.path("paint.png"), "rb") as file:
+            self.assertEqual(file.read(), PIXEL)
+
     def test_a_folder_that_takes_no_file_fails_before_the_render(self):
         out = self.path("out")
         if os.geteuid() == 0:
@@ -677,7 +739,7 @@ class MemoryLimit(ProgramTest):
         scene = self.write("room.gltf", room())
         out = self.path("out")
         self.expect_failure("render", scene, "--iterations", 4, "--size", "2000x1500", "--memory-limit", "100M", "--out",
-                            out, words=["want about", "memory_limit_bytes allows 100 MB", "fewer pixels ("])
+                            out, words=["want about", "--memory-limit allows 100 MB", "fewer pixels ("])
         self.assertEqual(os.listdir(out), [])
         limited = self.render("--iterations", 4, "--memory-limit", "0.2GB")
         self.assertEqual(limited["memory"]["allowed_bytes"], 200000000)

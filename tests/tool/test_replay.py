@@ -126,7 +126,7 @@ class Replay(test_program.ProgramTest):
             with self.subTest(address=address):
                 self.expect_failure("replay", self.scene, "--sample", address, *self.method, words=words, code=2)
         self.expect_failure("replay", self.scene, "--sample", "spot/0/0/light/4096/1", *self.method,
-                            words=["no such path"])
+                            words=["--sample: iteration 0", "no such path"], code=2)
         for address, words in (("spot", ["NAME/INDEX"]), ("spot/0/0/up/0/1", ["'up'", "eye"]),
                                ("spot/0/0/eye/0/-1", ["'-1'"])):
             with self.subTest(address=address):

@@ -129,7 +129,7 @@ class WholePage(ReportTest):
                      "interreflection", "light sample", "middle grey", "Escaped from the scene", "EV100"):
             self.assertIn(fact, words)
         mean = self.json["meters"]["work_plane"]["mean_lx"]
-        self.assertIn(f"{mean:.2f}" if mean < 10 else f"{mean:.1f}", words)
+        self.assertIn(f"{mean:.3f}" if mean < 10 else f"{mean:.2f}", words)
 
     def test_contrast_of_all_pairs(self):
         style = re.search(r"<style>(.*?)</style>", self.html, re.S).group(1)
@@ -219,6 +219,49 @@ class Targets(ReportTest):
         self.assertEqual(self.judge({"uniformity": 0.999})[0]["verdict"], "not_met")
         self.assertEqual(self.judge({"min_lx": 1e-3})[0]["verdict"], "met")
 
+    def test_paths_that_were_cut_are_told(self):
+        for method in ("ups", "pt"):
+            html, result = self.report("--iterations", 16, "--method", method, "--max-path-length", 1)
+            self.assertRegex("\n".join(result["warnings"]),
+                             r"paths end after 1 edge, as was asked for: readings " +
+                             (r"lack the light that goes on, \d+(\.\d+)? % of what is emitted" if method == "ups" else
+                              r"may lack the light that goes on(\n|$)"))
+            self.assertIn("Paths were cut, as was asked for", html)
+            self.assertNotIn("no light is lost", html)
+            self.assertNotIn("larger than chance", html)
+            html, result = self.report("--iterations", 16, "--method", method)
+            self.assertNotIn("paths end after", "\n".join(result["warnings"]))
+            self.assertIn("no light is lost", html)
+
+    def test_the_text_has_a_line_a_verdict(self):
+        """With or without a page and JSON."""
+        scene = lamp_room()
+        scene["nodes"].append({"translation": [0, 1.2, 1.5], "extras": {"ups": {"observer": {"name": "<eye>"}}}})
+        scene["scenes"][0]["nodes"].append(5)
+        _, result = self.report("--iterations", 48, scene=scene, targets={"areas": [
+            {"name": "desk\ntop", "meters": "work_plane", "mean_lx": 1, "uniformity": 0.999},
+            {"observers": "<eye>", "ugr": 39}]})
+
+        def lines(iterations):
+            done = self.run_program("render", self.path("a & b.gltf"), "--seed", 7, "--iterations", iterations,
+                                    "--targets", self.path("targets.json"))
+            return [line for line in done.stdout.splitlines() if line.startswith("target ")]
+        words = {"mean_lx": ("mean", " lx", "least", 1e-3), "uniformity": ("uniformity", "", "least", 1e-3),
+                 "ugr": ("UGR", "", "most", 0.01)}
+        told = lines(48)
+        self.assertEqual([v["verdict"] for v in result["targets"]], ["met", "not_met", "met"])
+        self.assertEqual(len(told), 3)
+        for line, verdict in zip(told, result["targets"]):
+            quantity, unit, side, precision = words[verdict["quantity"]]
+            where = "desk_top: meters work_plane" if "meters" in verdict else "<eye>: observer <eye>"
+            found = re.fullmatch(rf"target {where}: {quantity} ([\d.]+){unit} \(([\d.]+) to ([\d.]+)\), required at "
+                                 rf"{side} {verdict['required']:g}{unit}: {verdict['verdict'].replace('_', ' ')}", line)
+            self.assertIsNotNone(found, line)
+            for number, key in zip(found.groups(), ("value", "low", "high")):
+                self.assertAlmostEqual(float(number), verdict[key], delta=precision * max(1, verdict[key]), msg=line)
+        for line in lines(2)[:2]:
+            self.assertRegex(line, r" [\d.]+( lx)?, required at least [\d.]+( lx)?: not sure$")
+
     def test_what_falls_short_is_not_rounded_up(self):
         _, meters, _ = self.judge({"mean_lx": 1})
         required = float(f"{meters['mean_lx']:.1f}")  # where the page would write the mean as if it were met
@@ -286,12 +329,13 @@ class Targets(ReportTest):
         _, result = self.report("--iterations", 32, targets={"include": "en12464-1.json", "areas": [
             {"name": "desks", "row": "office.writing", "meters": ["work*", "sp?t"]},
             {"name": "around", "row": "office.writing", "part": "surround", "meters": "work_plane",
-             "uniformity": 0.3}]})
+             "uniformity": 0.3}, {"name": "shelves", "row": "library.shelves", "meters": "spot"}]})
         found = [(v["area"], v["meters"], v["quantity"], v["required"]) for v in result["targets"]]
         self.assertEqual(found, [
             ("desks", "work_plane", "mean_lx", 500), ("desks", "work_plane", "uniformity", 0.6),
             ("desks", "spot", "mean_lx", 500), ("desks", "spot", "uniformity", 0.6),
-            ("around", "work_plane", "mean_lx", 300), ("around", "work_plane", "uniformity", 0.3)])
+            ("around", "work_plane", "mean_lx", 300), ("around", "work_plane", "uniformity", 0.3),
+            ("shelves", "spot", "mean_lx", 200), ("shelves", "spot", "uniformity", 0.6)])
 
     def test_parts_of_a_row_are_of_their_kind_of_meters(self):
         scene = lamp_room()

@@ -68,9 +68,26 @@ class Techniques(test_program.ProgramTest):
                 done = self.run_program("render", scene, "--iterations", 1, option, value, code=2)
                 self.assertEqual(done.stdout, "")
                 self.assertIn(option, done.stderr)
-        done = self.run_program("render", scene, "--iterations", 1, "--method", "pt", "--perturbation", "actual",
-                                code=1)
-        self.assertIn("merge_radius_m", done.stderr)
+
+    def test_words_that_do_not_go_together_are_2_and_named(self):
+        """As options, not as fields of the library's."""
+        self.write("room.gltf", test_program.room())
+        scene = test_program.room()
+        scene["nodes"].append({"name": "far field", "extras": {"ups": {"goniometer": {}}}})
+        scene["scenes"][0]["nodes"] = [0, 1, 5]
+        self.write("far.gltf", scene)
+        replay = ["replay", "room.gltf", "--sample", "spot/0/0/eye/0/1"]
+        for arguments, words in (
+                (["render", "room.gltf", "--method", "pt", "--perturbation", "actual"],
+                 ["--perturbation: actual needs", "set --merge-radius, or"]),
+                (["render", "room.gltf", "--method", "pt", "--techniques", "merge"],
+                 ["--techniques: none of the method's", "; without it all are"]),
+                (["render", "far.gltf", "--method", "pt", "--target-error", "0.02"],
+                 ["--target-error: it would never be met", "set --method, --time or --iterations"]),
+                ([*replay, "--method", "pt", "--techniques", "merge"], ["--techniques: none of the method's"])):
+            with self.subTest(arguments=arguments):
+                self.expect_failure(*arguments, words=words, code=2)
+                self.assertNotRegex(self.run_program(*arguments, code=2).stderr, r"UPS_|[a-z]_(m|s|count|error)\b")
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ def _as_field(kind: Any, value: Any, name: str) -> Any:
         return as_integer(kind, value, name)
     if not issubclass(kind, ctypes.Array):
         return value
-    value = np.asarray(value, dtype=float).tolist()
+    value = np.asarray(real(value, name), dtype=float).tolist()
     if not isinstance(value, list) or len(value) != kind._length_:
         raise ValueError(f"{name}: expected {kind._length_} values")
     return kind(*value)

@@ -12,6 +12,7 @@ from typing import Any, Callable, SupportsIndex, TypeVar
 from . import _ffi
 from ._convert import describe, lib
 from ._ffi import LogLevel, Status
+from ._library import version_of
 from ._status import Error, check
 
 Owner = TypeVar("Owner", bound="Handle")
@@ -19,8 +20,7 @@ Owner = TypeVar("Owner", bound="Handle")
 
 def version() -> tuple[int, int, int]:
     """(major, minor, patch) of the loaded library."""
-    v = lib.ups_version()
-    return v // 10000, v // 100 % 100, v % 100
+    return version_of(lib.ups_version())
 
 
 class _Pointer(ctypes.c_void_p):

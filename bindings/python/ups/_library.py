@@ -18,12 +18,16 @@ from typing import Any
 from . import _ffi
 from ._numbers import HandleParameter, checked
 
-_MAJOR, _MINOR, _ = _ffi.HEADER_VERSION
+
+def _abi(version: tuple[int, int, int]) -> str:
+    """As in the SONAME: before 1.0 a minor version may lay out structs otherwise."""
+    major, minor, _ = version
+    return f"{major}.{minor}" if major == 0 else f"{major}"
 
 
 def _names(library: str, platform: str = sys.platform) -> tuple[str, ...]:
     """The SONAME first: a program without the development files has nothing else."""
-    abi = f"{_MAJOR}.{_MINOR}" if _MAJOR == 0 else f"{_MAJOR}"
+    abi = _abi(_ffi.HEADER_VERSION)
     if platform == "win32":
         return (f"{library}.dll",)
     if platform == "darwin":
@@ -67,10 +71,43 @@ def load(library: str = "ups") -> Any:
         except OSError as error:
             tried.append(str(error))
             continue
+        if library == "ups":
+            _check_abi(loaded, name)
         _bind(loaded, name, library)
         return loaded
     raise ImportError(f"lib{library} was not found; set UPS_LIBRARY to the file of libups or to the folders that hold "
                       "it and its extras. Tried: " + "; ".join(tried))
+
+
+def version_of(number: int) -> tuple[int, int, int]:
+    """(major, minor, patch) of what ups_version() returns."""
+    return number // 10000, number // 100 % 100, number % 100
+
+
+def _check_abi(core: Any, name: str) -> None:
+    """Names without a version, and UPS_LIBRARY, may lead to another ABI's library."""
+    if not hasattr(core, "ups_version"):
+        return  # _bind tells
+    version = version_of(core.ups_version())
+    if _abi(version) != _abi(_ffi.HEADER_VERSION):
+        found, own = (".".join(map(str, v)) for v in (version, _ffi.HEADER_VERSION))
+        file = _file_of(core.ups_version, name)
+        raise ImportError(f"{file} is UPS {found}, which this package cannot use: it is of "
+                          f"UPS {own} and needs a library of {_abi(_ffi.HEADER_VERSION)}")
+
+
+class _SymbolInfo(ctypes.Structure):
+    """Dl_info of dlfcn.h."""
+    _fields_ = [("file", ctypes.c_char_p), ("base", ctypes.c_void_p), ("name", ctypes.c_char_p),
+                ("address", ctypes.c_void_p)]
+
+
+def _file_of(function: Any, name: str) -> str:
+    """The path of what was loaded by a name without a folder, where the system tells it."""
+    info = _SymbolInfo()
+    if sys.platform != "win32" and ctypes.CDLL(None).dladdr(function, ctypes.byref(info)) and info.file:
+        return os.fsdecode(info.file)
+    return name
 
 
 def _bind(loaded: Any, name: str, library: str) -> None:

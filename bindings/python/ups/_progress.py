@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import html
+import os
 import sys
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -35,6 +36,14 @@ def text_of(progress: Progress) -> str:
     return text + (f", {_duration(progress.remaining_s)} left" if progress.remaining_s >= 0 else "")
 
 
+def _terminal_columns() -> int:
+    """Of the error stream's terminal; 80 where it does not say."""
+    try:
+        return os.get_terminal_size(sys.stderr.fileno()).columns or 80
+    except (AttributeError, OSError, ValueError):  # a program's own stream may be no file, as IDLE's
+        return 80
+
+
 @contextlib.contextmanager
 def _on_terminal() -> Iterator[View]:
     """A line of the error stream that is written over."""
@@ -44,6 +53,8 @@ def _on_terminal() -> Iterator[View]:
         nonlocal last_length
         full = round(progress.fraction * _BAR_WIDTH)
         line = f"[{'#' * full}{' ' * (_BAR_WIDTH - full)}] {text_of(progress)}"
+        # One that wraps could not be written over. The last column is left free: some terminals wrap after it.
+        line = line[:max(1, _terminal_columns() - 1)]
         print("\r" + line.ljust(last_length), end="", file=sys.stderr, flush=True)
         last_length = len(line)
 

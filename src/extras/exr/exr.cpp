@@ -10,7 +10,9 @@
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,6 +39,14 @@ using ups::extras::require;
 // of which cameras may have 16384 x 16384 in each channel, take one for 1032.
 constexpr uint64_t believed_bytes = uint64_t(1) << 30, most_inflated = 4096;
 constexpr int64_t max_side = 65536;
+constexpr uint32_t max_channels = 4096;  // images of techniques have up to 1638
+
+// OpenEXR's own attributes of other types than text, and one that it writes itself.
+constexpr const char* reserved[] = {
+    "adoptedNeutral", "altitude", "aperture", "chromaticities", "chunkCount", "deepImageState", "dwaCompressionLevel",
+    "envmap", "expTime", "focus", "framesPerSecond", "idManifest", "isoSpeed", "keyCode", "latitude", "longitude",
+    "maxSamplesPerPixel", "multiView", "originalDataWindow", "preview", "tiles", "timeCode", "type", "utcOffset",
+    "version", "whiteLuminance", "worldToCamera", "worldToNDC", "xDensity"};
 
 ups::LastError last_error;
 
@@ -64,6 +74,7 @@ class MemoryStream : public Imf::OStream {
 
 void check_channels(const ups_exr_channel* channels, uint32_t count) {
   require(channels != nullptr && count > 0, "no channels are given");
+  require(count <= max_channels, "channel_count must be at most 4096");
   for (uint32_t i = 0; i < count; ++i) {
     require(channels[i].name != nullptr && channels[i].name[0] != '\0', "a channel has no name");
     require(channels[i].data != nullptr, "a channel's data is NULL");
@@ -71,6 +82,11 @@ void check_channels(const ups_exr_channel* channels, uint32_t count) {
       require(std::strcmp(channels[i].name, channels[j].name) != 0, "two channels have the same name");
     }
   }
+}
+
+bool is_reserved(const char* name) {
+  return std::any_of(std::begin(reserved), std::end(reserved),
+                     [&](const char* own) { return std::strcmp(own, name) == 0; });
 }
 
 Imf::Header make_header(uint32_t width, uint32_t height, const ups_exr_channel* channels, uint32_t channel_count,
@@ -82,10 +98,10 @@ Imf::Header make_header(uint32_t width, uint32_t height, const ups_exr_channel* 
   for (uint32_t i = 0; i < attribute_count; ++i) {
     require(attributes[i].name != nullptr && attributes[i].name[0] != '\0', "an attribute has no name");
     require(attributes[i].value != nullptr, "an attribute's value is NULL");
-    if (header.find(attributes[i].name) != header.end()) {
-      throw Error(UPS_ERROR_INVALID_ARGUMENT,
-                  std::string("the attribute '") + attributes[i].name + "' is OpenEXR's own or given twice");
-    }
+    const std::string named = std::string("the attribute '") + attributes[i].name + "'";
+    if (is_reserved(attributes[i].name)) throw Error(UPS_ERROR_INVALID_ARGUMENT, named + " is OpenEXR's own");
+    if (header.find(attributes[i].name) != header.end())
+      throw Error(UPS_ERROR_INVALID_ARGUMENT, named + " is OpenEXR's own or given twice");
     header.insert(attributes[i].name, Imf::StringAttribute(attributes[i].value));
   }
   return header;
@@ -112,17 +128,28 @@ std::vector<char> compose(const Imf::Header& header, uint32_t width, uint32_t he
   return stream.bytes();
 }
 
+// Luminance/chroma images have channels with fewer samples, too: they have no place among pixels.
+std::vector<std::string> full_channels_of(const Imf::Header& header) {
+  std::vector<std::string> names;
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
+    if (it.channel().xSampling == 1 && it.channel().ySampling == 1) names.emplace_back(it.name());
+  return names;
+}
+
 void read_image(const char* path, uint64_t file_bytes, ups_exr_image& image) {
   Imf::InputFile file(path);
   const Imf::Header& header = file.header();
   const auto window = header.dataWindow();
-  const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
-  uint64_t count = 0;
-  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) ++count;
+  auto whole = header.displayWindow();  // a cropped file holds less of it: images of one camera stay comparable
+  whole.extendBy(window);
+  const int64_t width = int64_t(whole.max.x) - whole.min.x + 1, height = int64_t(whole.max.y) - whole.min.y + 1;
+  image.names = full_channels_of(header);
+  const uint64_t count = image.names.size();
+  if (count == 0) throw Error(UPS_ERROR_UNSUPPORTED, "no channel has a value for each pixel");
   const std::string claimed = "an image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels and " +
                               std::to_string(count) + " channels";
-  if (width < 1 || height < 1 || width > max_side || height > max_side || count > 1024)
-    throw Error(UPS_ERROR_UNSUPPORTED, claimed + " is not read; at most 65536 x 65536 and 1024 are");
+  if (width < 1 || height < 1 || width > max_side || height > max_side || count > max_channels)
+    throw Error(UPS_ERROR_UNSUPPORTED, claimed + " is not read; at most 65536 x 65536 and 4096 are");
   const uint64_t bytes = uint64_t(width) * uint64_t(height) * count * sizeof(float);
   if (bytes > believed_bytes && bytes / most_inflated > file_bytes)
     throw Error(UPS_ERROR_PARSE, claimed + " is not in a file of " + std::to_string(file_bytes) + " bytes");
@@ -131,11 +158,8 @@ void read_image(const char* path, uint64_t file_bytes, ups_exr_image& image) {
   image.height = uint32_t(height);
   Imf::FrameBuffer frame;
   image.channels.assign(count, std::vector<float>(size_t(width * height)));
-  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
-    float* data = image.channels[image.names.size()].data();
-    image.names.emplace_back(it.name());
-    frame.insert(it.name(), Imf::Slice::Make(Imf::FLOAT, data, window));
-  }
+  for (size_t i = 0; i < count; ++i)
+    frame.insert(image.names[i], Imf::Slice::Make(Imf::FLOAT, image.channels[i].data(), whole));
   for (auto it = header.begin(); it != header.end(); ++it) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
     if (text) image.attributes.emplace_back(it.name(), text->value());

@@ -196,25 +196,6 @@ void check_version(const JsonReader& root) {
 
 }  // namespace
 
-std::string percent_decoded(const std::string& uri) {
-  const auto digit = [](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-  };
-  std::string result;
-  for (size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0) {
-      result += char(digit(uri[i + 1]) * 16 + digit(uri[i + 2]));
-      i += 2;
-    } else {
-      result += uri[i];
-    }
-  }
-  return result;
-}
-
 bool is_known_extension(const std::string& name) {
   static const char* const known[] = {
       "KHR_materials_ior", "KHR_materials_transmission", "KHR_materials_volume",           "KHR_lights_punctual",
@@ -254,8 +235,6 @@ Bytes read_beside(const Document& document, const std::string& path, const std::
   }
   return read_file(path, where);
 }
-
-bool is_data_uri(const std::string& uri) { return uri.rfind("data:", 0) == 0; }
 
 // RFC 2397: data:[type][;base64],data. The type does not matter here, though tinygltf decodes some alone.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gltf/json.h"
+#include "gltf/uri.h"
 
 namespace ups::gltf {
 
@@ -38,9 +39,6 @@ bool is_known_extension(const std::string& name);
 // .glb that is its first buffer; data is null where there is none.
 void load_model(Document& document, const ByteRange& binary, std::vector<std::string>& warnings);
 
-bool is_data_uri(const std::string& uri);
-// A URI's text: "%20" is a blank.
-std::string percent_decoded(const std::string& uri);
 // A file beside the scene, or what a data URI holds. where: who asks, for messages.
 Bytes read_uri(const Document& document, const std::string& uri, const std::string& where);
 // A file that the scene names. Throws (IO) also where it lies outside the scene's folder, unless that is allowed.

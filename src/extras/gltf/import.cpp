@@ -9,6 +9,18 @@ namespace ups::gltf {
 
 using extras::Error;
 
+namespace {
+
+// Of an object's array; none where it has no such array.
+const std::vector<Json>& items_of(const Json* object, const char* array) {
+  const Json* found = object ? object->find(array) : nullptr;
+  return found ? found->items : empty_object().items;
+}
+
+std::string numbered(const std::string& array, size_t i) { return array + "[" + std::to_string(i) + "]"; }
+
+}  // namespace
+
 void Importer::check(ups_status status, const std::string& where) const {
   if (status != UPS_OK) throw Error(status, where + ": " + ups_last_error());
 }
@@ -36,13 +48,24 @@ void Importer::warn_about_extensions(const JsonReader& reader, std::initializer_
 
 void Importer::warn_about_the_rest() {
   if (!document_.model.animations.empty()) warn("animations are skipped");
-  for (const char* array : {"meshes", "cameras"}) {
-    const Json* items = document_.json.find(array);
-    for (size_t i = 0; items && i < items->items.size(); ++i) {
-      const std::string where = std::string(array) + "[" + std::to_string(i) + "]";
-      if (!JsonReader(items->items[i], where).ups_extras()) continue;
+  const auto look_at = [&](const Json& item, const std::string& where) {
+    const Json* extras = item.find("extras");
+    if (extras && extras->find("ups"))
       warn(where + ": extras.ups is skipped here; it belongs on a node, a material or a scene");
+  };
+  for (const char* array : {"meshes", "cameras"}) {
+    const std::vector<Json>& items = items_of(&document_.json, array);
+    for (size_t i = 0; i < items.size(); ++i) {
+      const std::string where = numbered(array, i);
+      look_at(items[i], where);
+      const std::vector<Json>& primitives = items_of(&items[i], "primitives");
+      for (size_t p = 0; p < primitives.size(); ++p) look_at(primitives[p], numbered(where + ".primitives", p));
     }
+  }
+  const Json* extensions = document_.json.find("extensions");
+  for (const char* name : {"KHR_lights_punctual", "EXT_lights_ies"}) {
+    const std::vector<Json>& lights = items_of(extensions ? extensions->find(name) : nullptr, "lights");
+    for (size_t i = 0; i < lights.size(); ++i) look_at(lights[i], std::string(name) + " light " + std::to_string(i));
   }
   if (JsonReader(document_.json, "the file").ups_extras()) {
     warn("extras.ups at the file's top level is skipped; it belongs on a node, a material or a scene");

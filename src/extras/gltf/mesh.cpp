@@ -1,5 +1,7 @@
 // Triangle primitives of glTF meshes become meshes of the scene, once each, when the first node uses them. Strips and
 // fans are unrolled; points and lines have no area and are skipped.
+#include <utility>
+
 #include "gltf/import.h"
 
 namespace ups::gltf {
@@ -49,17 +51,48 @@ std::vector<uint32_t> triangle_indices(const Document& document, const tinygltf:
   return indices;
 }
 
+// Primitives may share a buffer of which each uses a part.
+struct Vertices {
+  size_t count;                // of each attribute
+  std::vector<uint32_t> used;  // by the triangles, ascending; empty: all
+};
+
+// Where not all are used `indices` become places among those that are.
+Vertices keep_used(std::vector<uint32_t>& indices, size_t count) {
+  std::vector<uint32_t> place_of(count), used;
+  for (const uint32_t i : indices) place_of[i] = 1;
+  for (size_t i = 0; i < count; ++i) {
+    if (place_of[i] == 0) continue;
+    place_of[i] = uint32_t(used.size());
+    used.push_back(uint32_t(i));
+  }
+  if (used.size() == count) return {count, {}};
+  for (uint32_t& i : indices) i = place_of[i];
+  return {count, std::move(used)};
+}
+
+// Leaves of an attribute what the used vertices have.
+void gather(std::vector<float>& values, const Vertices& vertices, size_t components) {
+  if (vertices.used.empty()) return;
+  auto to = values.begin();
+  for (const uint32_t i : vertices.used) {
+    for (size_t c = 0; c < components; ++c) *to++ = values[i * components + c];
+  }
+  values.erase(to, values.end());
+}
+
 // An optional attribute; empty where the primitive does not have it.
 std::vector<float> optional_floats(const Document& document, const tinygltf::Primitive& primitive,
-                                   const std::string& name, int components, size_t vertex_count,
+                                   const std::string& name, int components, const Vertices& vertices,
                                    const std::string& where) {
   const int accessor = attribute(primitive, name);
   if (accessor < 0) return {};
   std::vector<float> values = read_floats(document, accessor, components, where + ", " + name);
-  if (values.size() != vertex_count * size_t(components)) {
+  if (values.size() != vertices.count * size_t(components)) {
     fail(where, name + " has " + std::to_string(values.size() / size_t(components)) + " elements, POSITION has " +
-                    std::to_string(vertex_count));
+                    std::to_string(vertices.count));
   }
+  gather(values, vertices, size_t(components));
   return values;
 }
 
@@ -96,10 +129,8 @@ std::optional<PlacedMesh> Importer::add_primitive(const tinygltf::Primitive& pri
   if (!primitive.targets.empty()) warn(where + ": morph targets are skipped");
   if (attribute(primitive, "COLOR_0") >= 0) warn(where + ": vertex colours (COLOR_0) are skipped");
 
-  const std::vector<float> positions =
-      read_floats(document_, attribute(primitive, "POSITION"), 3, where + ", POSITION");
-  const size_t vertex_count = positions.size() / 3;
-  const std::vector<uint32_t> indices = triangle_indices(document_, primitive, vertex_count, where);
+  std::vector<float> positions = read_floats(document_, attribute(primitive, "POSITION"), 3, where + ", POSITION");
+  std::vector<uint32_t> indices = triangle_indices(document_, primitive, positions.size() / 3, where);
   if (indices.empty()) {
     warn(where + ": skipped, it has no triangle");
     return std::nullopt;
@@ -110,15 +141,17 @@ std::optional<PlacedMesh> Importer::add_primitive(const tinygltf::Primitive& pri
   }
   const Material& material = primitive.material >= 0 ? materials_.at(size_t(primitive.material)) : default_material();
   const std::string uv_name = "TEXCOORD_" + std::to_string(material.uv_set);
-  const auto normals = optional_floats(document_, primitive, "NORMAL", 3, vertex_count, where);
-  const auto uvs = optional_floats(document_, primitive, uv_name, 2, vertex_count, where);
+  const Vertices vertices = keep_used(indices, positions.size() / 3);
+  gather(positions, vertices, 3);
+  const auto normals = optional_floats(document_, primitive, "NORMAL", 3, vertices, where);
+  const auto uvs = optional_floats(document_, primitive, uv_name, 2, vertices, where);
   if (uvs.empty() && material.textured) warn(where + ": it has no " + uv_name + " for its material's textures");
-  const auto tangents = optional_floats(document_, primitive, "TANGENT", 4, vertex_count, where);
+  const auto tangents = optional_floats(document_, primitive, "TANGENT", 4, vertices, where);
 
   ups_mesh_desc desc;
   ups_mesh_desc_init(&desc, sizeof desc);
   desc.material = material.id;
-  desc.vertex_count = uint32_t(vertex_count);
+  desc.vertex_count = uint32_t(positions.size() / 3);
   desc.triangle_count = uint32_t(indices.size() / 3);
   desc.positions_m = positions.data();
   desc.normals = normals.empty() ? nullptr : normals.data();

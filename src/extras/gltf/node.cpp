@@ -124,8 +124,13 @@ void Importer::read_node(int index, const Affine& parent) {
   if (has_punctual) add_punctual_light(node, of_light);
   if (has_ies) add_ies_light(node, of_light);
   if (luminaire) add_luminaire(*luminaire, of_light);
-  if (fixture && determinant(whole) < 0)
+  const bool mirrors = determinant(whole) < 0;
+  if (mirrors && fixture)
     warn(where + ": a node above it mirrors, which a fixture cannot be: it stands as if turned about its axis");
+  const char* const eye = source.camera >= 0 ? "a camera" : observer ? "an observer" : nullptr;
+  if (mirrors && eye)
+    warn(where + ": a node above it mirrors, which " + eye +
+         " cannot be: it looks the way that the mirror gives it, and what it sees is not mirrored");
   if (fixture) add_fixture(*fixture, frame);
   if (meters) add_meters(*meters, source.name, of_light);
   if (goniometer) add_goniometer(*goniometer, source.name, of_light);

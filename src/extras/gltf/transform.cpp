@@ -90,8 +90,11 @@ NodeTransform local_transform(const tinygltf::Node& node, const std::string& whe
   NodeTransform result;
   if (!node.matrix.empty()) {
     const auto& m = node.matrix;  // column-major
-    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) fail(where, "\"matrix\" must end in the row 0, 0, 0, 1");
-    for (int j = 0; j < 4; ++j) result.full.set_column(j, {m[4 * j], m[4 * j + 1], m[4 * j + 2]});
+    const double w = m[15];
+    for (const double off : {m[3], m[7], m[11], w - 1}) {
+      if (!(std::abs(off) <= scale_tolerance)) fail(where, "\"matrix\" must end in the row 0, 0, 0, 1");
+    }
+    for (int j = 0; j < 4; ++j) result.full.set_column(j, {m[4 * j] / w, m[4 * j + 1] / w, m[4 * j + 2] / w});
     result.unscaled = result.full;
     return result;
   }

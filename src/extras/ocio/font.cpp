@@ -75,11 +75,10 @@ void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y
 
 void draw_bottom_line(Picture& picture, const std::string& text) {
   const uint32_t height = std::max(9u, picture.height / 50), margin = height / 2, strip = height + 2 * margin;
-  for (size_t i = picture.rgb.size() - size_t(std::min(strip, picture.height)) * picture.width * 3;
-       i < picture.rgb.size(); ++i)
+  if (4 * strip > picture.height || text_width(text, height) + 2 * margin > picture.width) return;
+  for (size_t i = picture.rgb.size() - size_t(strip) * picture.width * 3; i < picture.rgb.size(); ++i)
     picture.rgb[i] = uint8_t(picture.rgb[i] / 4);
-  if (picture.height >= strip)
-    draw_text(picture, text, margin, picture.height - strip + margin, height, {255, 255, 255});
+  draw_text(picture, text, margin, picture.height - strip + margin, height, {255, 255, 255});
 }
 
 }  // namespace ups::ocio

@@ -23,7 +23,8 @@ inline constexpr char at_least_sign = '\1';  // that ASCII lacks
 uint32_t text_width(const std::string& text, uint32_t height);
 void draw_text(Picture& picture, const std::string& text, uint32_t x, uint32_t y, uint32_t height, const Color& color);
 
-// White on a dark strip along the bottom edge.
+// White on a dark strip along the bottom edge; nothing where the text is wider than the picture, or the strip higher
+// than a quarter of it.
 void draw_bottom_line(Picture& picture, const std::string& text);
 
 // Keyword and Latin-1 text of tEXt chunks (PNG 11.3.4.3).

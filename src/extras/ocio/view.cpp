@@ -27,8 +27,13 @@ OCIO::TransformRcPtr builtin(const char* style, OCIO::TransformDirection directi
 }
 
 // Made once and kept until the process ends: where memory runs out as one is made, OpenColorIO can end the process.
+// Without its cache, which would keep the processor of every exposure as long.
 const OCIO::Config& raw_config() {
-  static const auto* const config = new OCIO::ConstConfigRcPtr(OCIO::Config::CreateRaw());
+  static const auto* const config = [] {
+    const OCIO::ConfigRcPtr made = OCIO::Config::CreateRaw()->createEditableCopy();
+    made->setProcessorCacheFlags(OCIO::PROCESSOR_CACHE_OFF);
+    return new OCIO::ConstConfigRcPtr(made);
+  }();
   return **config;
 }
 

@@ -49,6 +49,7 @@ struct Picture {
   double width, height;
   uint32_t columns, rows;
   std::vector<uint8_t> rgba;  // row 0 at the top; not multiplied by alpha
+  bool crisp = false;         // each in one colour, as far as a viewer heeds it
 };
 
 // The parts up to the matching ClipEnd are drawn within these outlines alone, even-odd.

@@ -108,6 +108,7 @@ class Canvas {
     cairo_scale(c(), picture.width / picture.columns, picture.height / picture.rows);
     cairo_set_source_surface(c(), pixels.get(), 0, 0);
     cairo_pattern_set_extend(cairo_get_source(c()), CAIRO_EXTEND_PAD);  // or edges fade into nothing
+    if (picture.crisp) cairo_pattern_set_filter(cairo_get_source(c()), CAIRO_FILTER_NEAREST);
     cairo_rectangle(c(), 0, 0, picture.columns, picture.rows);
     cairo_clip(c());
     cairo_paint(c());

@@ -153,6 +153,7 @@ std::vector<double> isoline_levels(double low, double high, MapScale scale) {
 MapData calmed(const MapData& image) {
   constexpr uint32_t most = 96;  // blocks along the longer side
   const uint32_t block = std::max(1u, (std::max(image.columns, image.rows) + most - 1) / most);
+  if (block == 1 && !image.of_camera) return image;  // a pixel is a meter
   const uint32_t columns = std::max(1u, image.columns / block), rows = std::max(1u, image.rows / block);
   std::vector<double> medians;
   for (uint32_t r = 0; r < rows; ++r) {

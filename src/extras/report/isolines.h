@@ -16,7 +16,7 @@ struct Isoline {
 std::vector<Isoline> isolines_of(const MapField& field, const std::vector<double>& levels);
 
 // An image with fewer, calmer pixels, in the same coordinates: medians of blocks, smoothed. Isolines of the image itself
-// would follow its noise.
+// would follow its noise. One of few pixels, such as that of a grid of meters, as it is.
 MapData calmed(const MapData& image);
 
 }  // namespace ups::report

@@ -60,7 +60,6 @@ bool read_points(const ups_scene* scene, SensorInfo& info) {
   info.columns = columns_of(meters.positions_m, meters.count);
   if (info.columns == 0) return true;
   info.rows = meters.count / info.columns;
-  info.layout = MeterLayout::grid;
   return true;
 }
 

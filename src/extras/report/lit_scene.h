@@ -11,7 +11,7 @@ namespace ups::report {
 
 enum class SensorKind { camera, meters, goniometer, observer };
 
-// How a set of meters lies, as in ups_gltf_layout.
+// How a set of meters lies, as in ups_gltf_layout. What a program lists is points, on a grid where they have columns.
 enum class MeterLayout { points, grid, en12464, line, surface, lightmap };
 
 struct SensorInfo {

@@ -58,14 +58,14 @@ void draw_scale(Drawing& drawing, const Frame& f, const MapData& data, const Map
   }
   drawing.add(std::move(picture));
   draw_box(drawing, f);
-  std::vector<double> marks = range.levels;
-  marks.insert(marks.begin(), range.low);
-  marks.push_back(range.high);
-  double last = -INFINITY;
+  std::vector<double> marks = {range.low, range.high};  // first: no level takes the place of an end
+  marks.insert(marks.end(), range.levels.begin(), range.levels.end());
+  std::vector<double> taken;
   for (const double mark : marks) {
     const double y = f.top + f.height * (1 - range.share(mark));
-    if (std::abs(y - last) < text_size + 1) continue;
-    last = y;
+    const auto is_near = [&](double other) { return std::abs(y - other) < text_size + 1; };
+    if (std::any_of(taken.begin(), taken.end(), is_near)) continue;
+    taken.push_back(y);
     const bool beyond_high = mark >= range.high && range.most > range.high * (1 + 1e-9);
     const bool beyond_low = mark <= range.low && range.least >= 0 && range.least < range.low * (1 - 1e-9);
     const std::string text = (beyond_high ? "\u2265 " : beyond_low ? "\u2264 " : "") + format("%.6g", mark);

@@ -41,6 +41,7 @@ struct MapData {
   std::string unit;      // "lx"
   std::string summary;   // below the title: mean, minimum, uniformity and their bounds
   bool is_image = false;  // in pixels: without a bar of metres, points and numbers
+  bool of_camera = false;  // an image whose pixels are noisy
   // A grid where columns > 0: columns run fastest, row 0 is the lowest. Else points anywhere; where they lie on a
   // lattice with gaps, as those of EN 12464-1 in an L-shaped room do, that is found and each has its cell of it.
   uint32_t columns = 0, rows = 0;

@@ -91,8 +91,8 @@ void set_upright_axes(MapPlane& plane) {
 
 // As the grid lies: columns to the right, rows upwards. True where its rows run the other way round and are to be turned:
 // as they are read on a page, from the top. Where meters look downwards, it is the plane that is turned: a plan is seen
-// from above.
-bool set_grid_axes(MapPlane& plane, const std::vector<MeterPoint>& points, uint32_t columns) {
+// from above. row_0_below: rows are not turned; the drawing is a mirror image then, of what lies beneath all the same.
+bool set_grid_axes(MapPlane& plane, const std::vector<MeterPoint>& points, uint32_t columns, bool row_0_below) {
   Vector right = between(points[0], points[columns - 1]), up = between(points[0], points[points.size() - columns]);
   if (columns == 1) right = cross(up.data(), plane.normal);  // of a single cell too: no direction
   if (!make_unit(right)) {
@@ -101,7 +101,11 @@ bool set_grid_axes(MapPlane& plane, const std::vector<MeterPoint>& points, uint3
   }
   set_axes(plane, right);
   if (!(dot(up.data(), plane.up) < 0)) return false;
-  if (plane.normal[2] > 0.5 || (plane.normal[2] > -0.5 && up[2] < 0)) return true;
+  if (plane.normal[2] > 0.5 || (plane.normal[2] > -0.5 && up[2] < 0)) {
+    if (!row_0_below) return true;
+    for (double& c : plane.up) c = -c;
+    return false;
+  }
   for (double& c : plane.normal) c = -c;  // seen from behind
   set_axes(plane, right);
   return false;
@@ -142,10 +146,52 @@ void turn_to_lattice(MapPlane& plane, MapData& data, const std::vector<MeterPoin
   data.values = std::move(other.values);
 }
 
+MapData map_of_image(const std::string& name, const std::string& quantity, const std::string& unit,
+                     const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns,
+                     uint32_t rows, const std::vector<float>& weights, bool of_camera) {
+  MapData data;
+  data.title = name;
+  data.quantity = quantity;
+  data.unit = unit;
+  data.is_image = true;
+  data.of_camera = of_camera;
+  const auto is_good = [](float value) { return std::isfinite(value) && value >= 0; };
+  double sum = 0, good = 0, least = INFINITY, most = 0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    const float value = values[i];
+    if (!is_good(value)) continue;
+    const double weight = weights.empty() ? 1 : double(weights[i]);
+    sum += weight * double(value), good += weight;
+    least = std::min(least, double(value)), most = std::max(most, double(value));
+  }
+  // Of a large one blocks of pixels: more than the drawing's own could not be seen.
+  constexpr uint64_t most_side = 2048;
+  const uint64_t block = (std::max(columns, rows) + most_side - 1) / most_side;
+  data.columns = uint32_t((columns + block - 1) / block);
+  data.rows = uint32_t((rows + block - 1) / block);
+  for (uint32_t row = 0; row < data.rows; ++row) {
+    for (uint32_t column = 0; column < data.columns; ++column) {
+      double block_sum = 0, bound_sum = 0, count = 0, bounded = 0;
+      for (uint64_t y = row * block; y < std::min<uint64_t>((row + 1) * block, rows); ++y) {
+        for (uint64_t x = column * block; x < std::min<uint64_t>((column + 1) * block, columns); ++x) {
+          const size_t pixel = size_t(rows - 1 - y) * columns + x;
+          if (!is_good(values[pixel])) continue;
+          block_sum += double(values[pixel]), ++count;
+          if (!bounds.empty() && is_good(bounds[pixel])) bound_sum += double(bounds[pixel]), ++bounded;
+        }
+      }
+      data.values.push_back({{column + 0.5, row + 0.5}, count > 0 ? block_sum / count : -1,
+                             count > 0 && bounded == count ? bound_sum / count : -1});  // of a mean: no larger
+    }
+  }
+  data.summary = good > 0 ? summary_text(sum / good, -1, least, most, -1, unit, of_camera) : "no pixel is known";
+  return data;
+}
+
 }  // namespace
 
 std::optional<MapData> meter_map(const std::string& name, const std::vector<MeterPoint>& points, uint32_t columns,
-                                 const LitScene* scene) {
+                                 const LitScene* scene, bool row_0_below) {
   if (points.empty() || (columns > 0 && points.size() % columns != 0)) return std::nullopt;
   const std::optional<Vector> normal = normal_of(points, columns > 0);
   if (!normal) return std::nullopt;
@@ -159,7 +205,7 @@ std::optional<MapData> meter_map(const std::string& name, const std::vector<Mete
   if (columns > 0) {
     data.columns = columns;
     data.rows = uint32_t(points.size()) / columns;
-    const bool turned = set_grid_axes(plane, points, columns);
+    const bool turned = set_grid_axes(plane, points, columns, row_0_below);
     data.values = values_of(turned ? with_rows_turned(points, columns) : points, plane);
   } else {
     set_upright_axes(plane);
@@ -194,7 +240,8 @@ std::optional<MapData> meter_map(const SensorEntry& meters, const LitScene& scen
     points[i].illuminance_lx = double(readings[i].illuminance_lx);
     points[i].error_bound_lx = double(readings[i].error_bound_lx);
   }
-  std::optional<MapData> data = meter_map(meters.name, points, meters.info.columns, &scene);
+  const bool of_file = layout == MeterLayout::grid;  // else as a program lists them
+  std::optional<MapData> data = meter_map(meters.name, points, meters.info.columns, &scene, of_file);
   if (!data) return data;
   data->quantity = quantity_of(meters.info.meter_kind);
   auto s = sized<ups_meter_statistics>();
@@ -250,44 +297,14 @@ std::vector<float> within_image(const SensorInfo& camera, std::vector<float> val
 }
 
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
+                  const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows) {
+  return map_of_image(name, quantity, unit, values, bounds, columns, rows, {}, true);
+}
+
+MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
                   const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows,
                   const std::vector<float>& weights) {
-  MapData data;
-  data.title = name;
-  data.quantity = quantity;
-  data.unit = unit;
-  data.is_image = true;
-  const auto is_good = [](float value) { return std::isfinite(value) && value >= 0; };
-  double sum = 0, good = 0, least = INFINITY, most = 0;
-  for (size_t i = 0; i < values.size(); ++i) {
-    const float value = values[i];
-    if (!is_good(value)) continue;
-    const double weight = weights.empty() ? 1 : double(weights[i]);
-    sum += weight * double(value), good += weight;
-    least = std::min(least, double(value)), most = std::max(most, double(value));
-  }
-  // Of a large one blocks of pixels: more than the drawing's own could not be seen.
-  constexpr uint64_t most_side = 2048;
-  const uint64_t block = (std::max(columns, rows) + most_side - 1) / most_side;
-  data.columns = uint32_t((columns + block - 1) / block);
-  data.rows = uint32_t((rows + block - 1) / block);
-  for (uint32_t row = 0; row < data.rows; ++row) {
-    for (uint32_t column = 0; column < data.columns; ++column) {
-      double block_sum = 0, bound_sum = 0, count = 0, bounded = 0;
-      for (uint64_t y = row * block; y < std::min<uint64_t>((row + 1) * block, rows); ++y) {
-        for (uint64_t x = column * block; x < std::min<uint64_t>((column + 1) * block, columns); ++x) {
-          const size_t pixel = size_t(rows - 1 - y) * columns + x;
-          if (!is_good(values[pixel])) continue;
-          block_sum += double(values[pixel]), ++count;
-          if (!bounds.empty() && is_good(bounds[pixel])) bound_sum += double(bounds[pixel]), ++bounded;
-        }
-      }
-      data.values.push_back({{column + 0.5, row + 0.5}, count > 0 ? block_sum / count : -1,
-                             count > 0 && bounded == count ? bound_sum / count : -1});  // of a mean: no larger
-    }
-  }
-  data.summary = good > 0 ? summary_text(sum / good, -1, least, most, -1, unit) : "no pixel is known";
-  return data;
+  return map_of_image(name, quantity, unit, values, bounds, columns, rows, weights, false);
 }
 
 MapStyle of_luminance(MapStyle style) {
@@ -324,14 +341,14 @@ std::string summary_of(const std::vector<MeterPoint>& points) {
 }
 
 std::string summary_text(double mean, double mean_bound, double min, double max, double worst_relative_bound,
-                         const std::string& unit) {
+                         const std::string& unit, bool of_camera) {
   if (mean < 0) return "no value is known";
   std::string text = "mean " + significant(mean, 4);
-  if (mean_bound >= 0) text += " \u00b1 " + significant(mean_bound, 2);
+  if (mean_bound >= 0) text += " \u00b1 " + bound_text(mean_bound);
   text += " " + unit + ", min " + significant(min, 4) + ", max " + significant(max, 4) + " " + unit;
-  if (unit == "lx" && mean > 0) text += format(", U0 %.3f", min / mean);
+  if (unit == "lx" && !of_camera && mean > 0) text += format(", U0 %.3f", min / mean);
   if (worst_relative_bound >= 0)
-    text += ", 95 % bound of the worst value " + significant(100 * worst_relative_bound, 2) + " %";
+    text += ", 95 % bound of the worst value " + bound_text(100 * worst_relative_bound) + " %";
   return text;
 }
 

@@ -16,28 +16,33 @@ struct MeterPoint {
 
 // Of points in one plane, seen against its normal; nothing where they lie in none, or on one line, or are more than
 // 20,000 on no lattice. columns: of a grid, else 0. scene: committed, whose plan and observers are drawn; may be null.
-// A wall's map is upright, a grid's has its row 0 below, or above where its rows run downwards or south.
+// A wall's map is upright, a grid's has its row 0 below, or above where its rows run downwards or south, as one reads.
+// row_0_below: it has it below, whichever way they run, as its image file has.
 std::optional<MapData> meter_map(const std::string& name, const std::vector<MeterPoint>& points, uint32_t columns,
-                                 const LitScene* scene);
-// Of a set of meters of a render, but of a mesh's surface.
+                                 const LitScene* scene, bool row_0_below = false);
+// Of a set of meters of a render, but of a mesh's surface. A scene file's grid has its row 0 below.
 std::optional<MapData> meter_map(const SensorEntry& meters, const LitScene& scene, const ups_result* result);
 // 0: they are no grid whose columns run fastest.
 uint32_t columns_of(const double* positions_m, size_t count);
 
 // Of a fisheye's pixels, one value each, those outside of its image circle become unknown: no light is measured there.
 std::vector<float> within_image(const SensorInfo& camera, std::vector<float> values);
-// values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at the top. weights: in the
-// mean, areas of a lightmap's texels; none: all alike.
+// Of a camera's image. values and their 95 % bounds (< 0: not known; none at all: of none): columns * rows, row 0 at
+// the top.
+MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
+                  const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows);
+// The same of a grid or a lightmap, whose illuminance has a uniformity. weights: in the mean, areas of a lightmap's
+// texels; none: all alike.
 MapData image_map(const std::string& name, const std::string& quantity, const std::string& unit,
                   const std::vector<float>& values, const std::vector<float>& bounds, uint32_t columns, uint32_t rows,
-                  const std::vector<float>& weights = {});
+                  const std::vector<float>& weights);
 const char* quantity_of(ups_meter_kind kind);  // that its meters read
 MapStyle of_luminance(MapStyle style);  // with the threshold of luminances
 std::vector<float> luminance_of(const std::vector<float>& rgb);
 
-// Below a map's title; bound: of the mean, -1: not known.
+// Below a map's title; bound: of the mean, -1: not known. U0 of illuminances alone, but not of a camera's.
 std::string summary_text(double mean, double mean_bound, double min, double max, double worst_relative_bound,
-                         const std::string& unit);
+                         const std::string& unit, bool of_camera = false);
 // The same of points of which nothing but their values is known.
 std::string summary_of(const std::vector<MeterPoint>& points);
 

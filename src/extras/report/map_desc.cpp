@@ -110,7 +110,7 @@ MapData numbers_map(const ups_report_map_desc& d) {
   if (d.error_bounds) bounds.assign(d.error_bounds, d.error_bounds + d.count);
   const bool lux = wants_illuminance(d);
   return image_map("", lux ? "Illuminance" : "Luminance", lux ? "lx" : luminance_unit, values, bounds, d.columns,
-                   d.count / d.columns);
+                   d.count / d.columns, {});
 }
 
 }  // namespace

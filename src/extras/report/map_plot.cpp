@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "report/map_labels.h"
+#include "report/page.h"
 #include "report/text_format.h"
 
 namespace ups::report {
@@ -77,9 +78,11 @@ class Plot {
     const MapBox& box = field_.box();
     if (box.empty()) return;
     const Point corner = view_.at({box.left, box.high});
-    // An image's own pixels where they are the coarser ones.
+    // An image's own pixels where they are the coarser ones, and may run into one another as they are enlarged.
     const auto& lattice = field_.lattice();
-    const bool own = data_.is_image && lattice && lattice->columns <= pixels_a_unit * box.width() * view_.scale;
+    const bool crisp = style_.cells || style_.threshold > 0;
+    const bool own =
+        data_.is_image && !crisp && lattice && lattice->columns <= pixels_a_unit * box.width() * view_.scale;
     const auto side = [&](double length) {
       return uint32_t(std::max(1.0, std::ceil(length * view_.scale * pixels_a_unit - 1e-6)));
     };
@@ -88,7 +91,8 @@ class Plot {
                     box.height() * view_.scale,
                     own ? lattice->columns : side(box.width()),
                     own ? lattice->rows : side(box.height()),
-                    {}};
+                    {},
+                    crisp};
     picture.rgba.assign(4 * size_t(picture.columns) * picture.rows, 0);
     for (uint32_t row = 0; row < picture.rows; ++row) {
       for (uint32_t column = 0; column < picture.columns; ++column) {
@@ -144,12 +148,14 @@ class Plot {
     if (style_.threshold > 0 && !data_.is_image) levels = {style_.threshold};
     std::vector<std::vector<Point>> drawn;
     const MapData calm = data_.is_image ? calmed(data_) : MapData{};
+    const bool blurred = data_.is_image && (data_.of_camera || calm.columns < data_.columns);
+    const double shortest = blurred ? 40 : 6;
     for (const Isoline& line : isolines_of(data_.is_image ? MapField(calm) : field_, levels)) {
       const std::vector<Point> points = on_paper(line.points);
       std::vector<double> along = {0};
       for (size_t i = 1; i < points.size(); ++i)
         along.push_back(along.back() + std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y));
-      if (along.back() < (data_.is_image ? 40 : 6)) continue;  // a speck of noise
+      if (along.back() < shortest) continue;  // a speck of noise
       draw_labelled(line.level, points, along, labels);
       drawn.push_back(points);
     }
@@ -315,7 +321,10 @@ class Plot {
 
   bool add_number(uint32_t value, const std::string& before, std::vector<Label>& labels) {
     const Point p = view_.at(data_.values[value].at);
-    const std::string text = before + value_text(data_.values[value].value, range_.most);
+    const double v = data_.values[value].value;
+    std::string text = value_text(v, range_.most);  // of the side of the threshold that its colour is of
+    if (style_.threshold > 0) text = beside(v, style_.threshold, text);
+    text = before + text;
     const bool bold = !before.empty();
     const double width = width_of(text, number_size, bold) + 3;
     // What is named may stand beside its place, and moves inwards at the border.

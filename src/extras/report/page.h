@@ -54,10 +54,16 @@ Section repeat_section(const PageInput& in);
 
 std::string lux(double value);                      // without its unit
 std::string ratio(double value);                    // 0.712
-std::string interval(double low, double high, std::string (*text)(double));  // "518 to 528"; empty: not known
+// "518 to 528", rounded outwards; empty: not known. text: of a number as it is, not of its hundredfold.
+std::string interval(double low, double high, std::string (*text)(double));
+std::string end_text(double end, int side, std::string (*text)(double));  // one of its ends: side -1 low, 1 high
 std::string with_interval(double value, double low, double high, std::string (*text)(double));  // HTML
 // As many decimals as it takes to fall on the same side of `required` as the value does.
 std::string beside(double value, double required, std::string (*text)(double));
+std::string beside(double value, double required, std::string written);
+// Of one requirement, as plain text: "499.6 lx", "no rating"; its 95 % interval, "498.9 to 500.4", empty where not known.
+std::string value_text(const TargetVerdict& v);
+std::string interval_text(const TargetVerdict& v);
 std::string maintenance_text(const PageInput& in);
 std::string counted(size_t count, const char* one, const char* many);
 

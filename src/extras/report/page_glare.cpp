@@ -33,7 +33,7 @@ std::string background(const ups_observer_reading& r) {
   if (r.background_cd_m2 < 0) return {};
   std::string text = significant(double(r.background_cd_m2), 3);
   if (r.background_error_bound_cd_m2 >= 0)
-    text += " <span class=\"i\">\u00b1 " + significant(double(r.background_error_bound_cd_m2), 2) + "</span>";
+    text += " <span class=\"i\">\u00b1 " + bound_text(double(r.background_error_bound_cd_m2)) + "</span>";
   return text;
 }
 

@@ -55,24 +55,10 @@ std::string verdicts_text(const Report& report) {
   return text + ".";
 }
 
-// A rating of -1 is none: see ups_observer_reading.
-std::string value_text(const TargetVerdict& v) {
-  const Quantity& q = quantity_of(v.quantity);
-  if (v.at_most && v.value == -1 && v.low == -1)
-    return v.judgement == Judgement::met ? "no source in view" : "no rating";
-  if (!v.at_most && v.value < 0) return "not known";
-  return beside(v.value, v.required, q.text) + q.unit;
-}
-
 // Value, interval and verdict of one requirement.
 std::string finding(const TargetVerdict& v) {
-  const Quantity& q = quantity_of(v.quantity);
-  std::string range;
-  if (v.low >= 0 && v.high >= 0) {
-    const std::string low = beside(v.low, v.required, q.text), high = beside(v.high, v.required, q.text);
-    range = " <span class=\"i\">" + (low == high ? low : low + " to " + high) + "</span>";
-  }
-  return chip(v.judgement) + " " + value_text(v) + range;
+  const std::string range = interval_text(v);
+  return chip(v.judgement) + " " + value_text(v) + (range.empty() ? "" : " <span class=\"i\">" + range + "</span>");
 }
 
 std::string area_caption(const Targets& targets, const TargetArea& area) {
@@ -131,7 +117,7 @@ std::string found_in_short(const Report& report) {
       continue;
     }
     html += lux(s.mean_lx) + " lx";
-    if (s.mean_error_bound_lx >= 0) html += " \u00b1 " + significant(s.mean_error_bound_lx, 2);
+    if (s.mean_error_bound_lx >= 0) html += " \u00b1 " + bound_text(s.mean_error_bound_lx);
     if (s.count > 1)
       html += " on average, " + lux(s.min_lx) + " to " + lux(s.max_lx) + " lx, <i>U</i><sub>0</sub> " +
               ratio(s.uniformity);
@@ -154,7 +140,9 @@ std::string bounded(const ups_interval& i, std::string (*text)(double)) {
   return with_interval(i.value, i.low, i.high, text);
 }
 
-std::string whole_percent(double share) { return format("%.1f", 100 * share); }
+ups_interval in_percent(const ups_interval& i) {
+  return {100 * i.value, i.low < 0 ? -1 : 100 * i.low, i.high < 0 ? -1 : 100 * i.high};
+}
 
 // Of one column, a cell a set; none of a set of a single meter, which has a mean alone.
 template <class Cell>
@@ -205,7 +193,7 @@ std::vector<Column> percentile_columns(const Report& report) {
                              [&](const MeterReport& m) { return bounded(m.percentiles[i].interval, lux); }));
   for (size_t i = 0; i < report.meters[0].above.size(); ++i)
     columns.push_back(column(report, format("At least %g lx <span class=\"i\">%%</span>", report.meters[0].above[i].at),
-                             [&](const MeterReport& m) { return bounded(m.above[i].interval, whole_percent); }));
+                             [&](const MeterReport& m) { return bounded(in_percent(m.above[i].interval), one_decimal); }));
   return columns;
 }
 
@@ -274,6 +262,23 @@ std::string ratios_table(const Report& report) {
 
 }  // namespace
 
+// A rating of -1 is none: see ups_observer_reading.
+std::string value_text(const TargetVerdict& v) {
+  const Quantity& q = quantity_of(v.quantity);
+  if (v.at_most && v.value == -1 && v.low == -1)
+    return v.judgement == Judgement::met ? "no source in view" : "no rating";
+  if (!v.at_most && v.value < 0) return "not known";
+  return beside(v.value, v.required, q.text) + q.unit;
+}
+
+std::string interval_text(const TargetVerdict& v) {
+  if (v.low < 0 || v.high < 0) return {};
+  const auto text = quantity_of(v.quantity).text;
+  const std::string low = beside(v.low, v.required, end_text(v.low, -1, text)),
+                    high = beside(v.high, v.required, end_text(v.high, 1, text));
+  return low == high ? low : low + " to " + high;
+}
+
 std::string maintenance_text(const PageInput& in) {
   const double factor = in.report.info.maintenance_factor;
   return factor < 1 ? format("All values are maintained ones, with a maintenance factor of %.3g.", factor)
@@ -287,8 +292,8 @@ Section summary_section(const PageInput& in) {
                             : found_in_short(in.report);
   const auto& curve = in.report.convergence;
   if (!curve.empty() && curve.back().p95_relative_error >= 0 && !in.report.meters.empty())
-    body += "<p>95&nbsp;% of the meters are known to " + significant(100 * double(curve.back().p95_relative_error), 2) +
-            "&nbsp;% or better, the worst to " + significant(100 * double(curve.back().worst_relative_error), 2) +
+    body += "<p>95&nbsp;% of the meters are known to " + bound_text(100 * double(curve.back().p95_relative_error)) +
+            "&nbsp;% or better, the worst to " + bound_text(100 * double(curve.back().worst_relative_error)) +
             "&nbsp;%.</p>\n";
   if (!in.report.warnings.empty() || !in.report.advice.empty()) {
     const size_t count = in.report.warnings.size() + in.report.advice.size();

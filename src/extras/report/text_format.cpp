@@ -34,6 +34,14 @@ std::string significant(double value, int digits) {
   return text;
 }
 
+std::string bound_text(double bound) {
+  constexpr double of_floats = 1e-6;  // 0.6 as a float is no more than 0.6
+  const std::string text = significant(bound, 2);
+  const double shown = std::strtod(text.c_str(), nullptr);
+  if (!std::isfinite(bound) || shown >= bound * (1 - of_floats)) return text;
+  return significant(shown + std::pow(10, std::floor(std::log10(bound)) - 1), 2);
+}
+
 std::string duration_text(double seconds) {
   char text[32];
   if (seconds < 9.95) {

@@ -24,6 +24,7 @@ Utf8 utf8_at(const std::string& text, size_t at);
 
 // To so many significant digits, without an exponent from 1e-4 to 1e16: 100, 12350, 0.00012.
 std::string significant(double value, int digits);
+std::string bound_text(double bound);  // two digits, rounded up: what lies within the bound lies within this
 std::string duration_text(double seconds);
 std::string version_number();  // "0.1.0", of the core
 

@@ -24,10 +24,12 @@ It failed; the reason is on standard error.
 .TP
 2
 The command line was wrong; nothing was done.
-.TP
-129, 130, 143
-SIGHUP, Ctrl\\-C or SIGTERM stopped it; the results so far are written.
 """
+STOPPED_STATUS = """.TP
+129, 130, 143
+SIGHUP, Ctrl\\-C or SIGTERM stopped %s; the results so far are written.
+"""
+STOPPED = {"ups": "render or goniometer", "ups render": "it", "ups goniometer": "it"}  # by the name of the page
 
 
 def say(program, *arguments):
@@ -77,7 +79,8 @@ def page(name, version, text, commands=()):
         for entry, description in entries:
             lines += [".TP", f".B {escaped(entry)}", escaped(description) if description else "\\&"]
     others = [f"ups\\-{c} (1)" for c in commands] if name == "ups" else ["ups (1)"]
-    return "\n".join([*lines, EXIT_STATUS + ".SH SEE ALSO"] + [f".BR {other}" for other in others]) + "\n"
+    status = EXIT_STATUS + (STOPPED_STATUS % STOPPED[name] if name in STOPPED else "")
+    return "\n".join([*lines, status + ".SH SEE ALSO"] + [f".BR {other}" for other in others]) + "\n"
 
 
 def pages(program):
