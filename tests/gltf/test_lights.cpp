@@ -132,6 +132,26 @@ TEST_F(GoodFile, TheTiltFileIsFoundBesideASceneNamedWithoutItsFolder) {
   EXPECT_EQ(scene.luminaires[0].profile_bytes, "TILT=HID.tlt+table");
 }
 
+// A black body's chromaticity at 1500 K is (0.5857, 0.3931) (Wyszecki and Stiles 1982, table 1(3.11)): blue is clipped.
+// Where fit and law meet neither jumps; beyond, colours go on.
+TEST_F(GoodFile, ColoursOfBlackBodies) {
+  SceneBuilder builder;
+  write("lamp.ies", "profile");
+  for (const double kelvin : {1500.0, 1666.9, 1667.1, 24999.0, 25001.0, 1e6})
+    builder.add_node({{"extras",
+                       {{"ups", {{"luminaire", {{"file", "lamp.ies"}, {"colour_temperature_k", kelvin}}}}}}}});
+  import(builder);
+  ASSERT_EQ(scene.luminaires.size(), 6u);
+  const auto colour = [&](size_t i) { return scene.luminaires[i].desc.color_rgb; };
+  EXPECT_NEAR(colour(0)[1] / colour(0)[0], 0.4341 / 3.2641, 0.002);
+  EXPECT_EQ(colour(0)[2], 0);
+  for (const size_t i : {1u, 3u})
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(colour(i + 1)[k], colour(i)[k], 0.01 * double(colour(i)[k])) << i << k;
+  EXPECT_GT(colour(5)[2], 1.05f * colour(4)[2]) << "bluer still";
+  for (size_t i = 0; i < 6; ++i)
+    EXPECT_NEAR(0.2126 * double(colour(i)[0]) + 0.7152 * double(colour(i)[1]) + 0.0722 * double(colour(i)[2]), 1, 1e-6);
+}
+
 TEST_F(GoodFile, Luminaires) {
   SceneBuilder builder;
   write("spot light.ies", "profile");

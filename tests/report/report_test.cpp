@@ -565,6 +565,30 @@ TEST_F(TwoPhotometries, AreNotInThePageOfAnotherScene) {
   ups_scene_destroy(other);
 }
 
+// A camera in empty space, beside nothing that has a place.
+TEST(ReportOfNothing, HasNoPlan) {
+  ups_scene* scene = nullptr;
+  ups_result* result = nullptr;
+  ASSERT_EQ(ups_scene_create(LRoom::lit().context, &scene), UPS_OK);
+  ups_camera_desc camera;
+  ups_camera_desc_init(&camera, sizeof camera);
+  camera.width = camera.height = 8;
+  ups_sensor_id view{};
+  ASSERT_EQ(ups_scene_add_camera(scene, &camera, &view), UPS_OK);
+  ASSERT_EQ(ups_scene_commit(scene), UPS_OK);
+  ups_render_desc desc;
+  ups_render_desc_init(&desc, sizeof desc);
+  desc.iteration_count = 1;
+  ASSERT_EQ(ups_render(scene, &desc, &result), UPS_OK) << ups_last_error();
+  ups_report_page_desc page;
+  ups_report_page_desc_init(&page, sizeof page);
+  page.scene = scene, page.result = result;
+  EXPECT_EQ(ups_report_write_page(path_of("nothing.html").c_str(), &page), UPS_OK) << ups_report_last_error();
+  EXPECT_TRUE(has(read(path_of("nothing.html")), "0 triangles"));
+  EXPECT_FALSE(has(read(path_of("nothing.html")), "Plan of the scene"));
+  ups_result_destroy(result), ups_scene_destroy(scene);
+}
+
 TEST_F(ReportPage, NeedsACommittedScene) {
   ups_scene* empty = nullptr;
   ASSERT_EQ(ups_scene_create(LRoom::lit().context, &empty), UPS_OK);

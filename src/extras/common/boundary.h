@@ -65,7 +65,7 @@ ups_status guarded(LastError& last_error, Body&& body) noexcept {
     last_error.set("", e.what());
     return e.status();
   } catch (const std::exception& e) {
-    if (dynamic_cast<const std::bad_alloc*>(&e) || tells_of_memory(e)) {
+    if (dynamic_cast<const std::bad_alloc*>(&e) || dynamic_cast<const std::length_error*>(&e) || tells_of_memory(e)) {
       last_error.set("", "out of memory");
       return UPS_ERROR_OUT_OF_MEMORY;
     }

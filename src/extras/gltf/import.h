@@ -64,6 +64,8 @@ struct PlacedMesh {  // a primitive
 
 // "colour_temperature_k" of an emitter or a luminaire, where there is one.
 void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]);
+// Rec.709.
+inline double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 // A photometric file and how to read it.
 struct ProfileFile {

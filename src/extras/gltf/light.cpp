@@ -13,39 +13,10 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double quarter_pi = 0.78539816339744831;
 
-// Rec.709.
-double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
-
 // Where files beside it are looked for; a bare name lies in the working folder, not nowhere.
 std::string folder_of(const std::string& file) {
   const std::string folder = platform::folder_of(file);
   return folder.empty() ? "." : folder;
-}
-
-constexpr double min_temperature = 1667, max_temperature = 25000;
-
-// Chromaticity of the Planckian locus: Kang et al. 2002, "Design of advanced color temperature control system for HDTV
-// applications", J. Korean Phys. Soc. 41 (6); valid from 1667 K to 25000 K. Then linear Rec.709 (IEC 61966-2-1 matrix),
-// negative components clipped, and scaled to luminance 1.
-Rgb planckian_rgb(double kelvin) {
-  const double t = 1e3 / kelvin;
-  const double x = kelvin <= 4000 ? -0.2661239 * t * t * t - 0.2343589 * t * t + 0.8776956 * t + 0.179910
-                                  : -3.0258469 * t * t * t + 2.1070379 * t * t + 0.2226347 * t + 0.240390;
-  double y = 0;
-  if (kelvin <= 2222) {
-    y = -1.1063814 * x * x * x - 1.34811020 * x * x + 2.18555832 * x - 0.20219683;
-  } else if (kelvin <= 4000) {
-    y = -0.9549476 * x * x * x - 1.37418593 * x * x + 2.09137015 * x - 0.16748867;
-  } else {
-    y = 3.0817580 * x * x * x - 5.87338670 * x * x + 3.75112997 * x - 0.37001483;
-  }
-  const double X = x / y, Z = (1 - x - y) / y;  // Y = 1
-  Rgb rgb = {3.2404542 * X - 1.5371385 - 0.4985314 * Z, -0.9692660 * X + 1.8760108 + 0.0415560 * Z,
-             0.0556434 * X - 0.2040259 + 1.0572252 * Z};
-  for (double& c : rgb) c = std::max(c, 0.0);
-  const double scale = luminance(rgb);
-  for (double& c : rgb) c /= scale;
-  return rgb;
 }
 
 // Index into the lights of an extension at the file's top level.
@@ -62,11 +33,6 @@ JsonReader light_of(const Json& document, const JsonReader& use, const char* nam
 }
 
 }  // namespace
-
-void read_colour_temperature(const JsonReader& reader, float (&rgb)[3]) {
-  if (!reader.has("colour_temperature_k")) return;
-  store(planckian_rgb(reader.number("colour_temperature_k", 0, min_temperature, max_temperature)), rgb);
-}
 
 void Importer::add_punctual_light(const JsonReader& node, const Affine& frame) {
   const JsonReader light = light_of(document_.json, *node.extension("KHR_lights_punctual"), "KHR_lights_punctual");

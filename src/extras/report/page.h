@@ -90,6 +90,7 @@ std::vector<LuminaireType> luminaire_types(const LitScene& scene);
 
 // ---- drawings
 
+bool has_plan(const PageInput& in, const std::vector<LuminaireType>& types);  // is there anything with a place?
 Drawing plan_drawing(const PageInput& in, const std::vector<LuminaireType>& types);
 Drawing section_drawing(const PageInput& in, const std::vector<LuminaireType>& types);
 // Errors against seconds, both logarithmic; with foretold times.

@@ -263,6 +263,11 @@ double plan_height(const Bounds& b) { return b.low[2] + 0.43 * b.size(2); }
 
 }  // namespace
 
+bool has_plan(const PageInput& in, const std::vector<LuminaireType>& types) {
+  const Bounds b = bounds_of(in, types);
+  return b.low[0] <= b.high[0];
+}
+
 Drawing plan_drawing(const PageInput& in, const std::vector<LuminaireType>& types) {
   View view(in, types, {0, 1}, most_height);
   const Bounds& b = view.bounds();

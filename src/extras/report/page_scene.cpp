@@ -69,6 +69,7 @@ Section scene_section(const PageInput& in, const std::vector<LuminaireType>& typ
        {"Cameras", cameras ? std::to_string(cameras) : ""},
        {"Maintenance factor", info.maintenance_factor < 1 ? format("%.3g", info.maintenance_factor) : ""},
        {"Surfaces", counted(size_t(info.triangle_count), "triangle", "triangles")}});
+  if (!has_plan(in, types)) return {"scene", "Scene", body};
   const std::string words = lights + " and " +
                             counted(sets, "set of meters", "sets of meters") + " of a scene of " + size_text(info) +
                             ".";
