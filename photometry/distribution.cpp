@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "photometry/text_reader.h"
 
@@ -215,8 +216,11 @@ void Distribution::build_sampling_tables() {
 }
 
 void Distribution::build_density_table() {
+  constexpr double most = std::numeric_limits<float>::max();  // of a beam whose density no float holds
   std::vector<float> density;
-  for (const double intensity : table_) density.push_back(float(intensity / interpolated_flux_lm_));
+  for (const double intensity : table_)
+    density.push_back(intensity < most * interpolated_flux_lm_ ? float(intensity / interpolated_flux_lm_)
+                                                               : float(intensity > 0 ? most : 0));
   std::vector<double> planes = c_rad_;
   if (type_ == PhotometricType::c) {
     const auto rows = std::ptrdiff_t(gamma_deg_.size());
