@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/floating_point.h"
+
 namespace ups::ocio {
 
 namespace {
@@ -172,6 +174,9 @@ class Smoother {
 
 }  // namespace
 
-std::vector<float> smooth(const ups_ocio_smooth_desc& desc) { return Smoother(desc).run(); }
+std::vector<float> smooth(const ups_ocio_smooth_desc& desc) {
+  const TrapsMasked masked;  // squares of what is brighter than 1e19 are infinite, and so are distances to it
+  return Smoother(desc).run();
+}
 
 }  // namespace ups::ocio
