@@ -39,6 +39,12 @@ std::vector<uint32_t> order_by(const std::vector<double>& values) {
   return order;
 }
 
+std::vector<double> values_of(const MeterBatches& meters) {
+  std::vector<double> values;
+  for (size_t m = 0; m < meters.count(); ++m) values.push_back(meters.value(m));
+  return values;
+}
+
 // What all batches of one half say of each meter.
 std::vector<double> sums_of_half(const MeterBatches& meters, uint32_t half) {
   std::vector<double> sums(meters.count());
@@ -170,31 +176,28 @@ Interval minimum_interval(const MeterBatches& meters) {
   return {low, std::max(least, high.value + high.above)};
 }
 
-LowerRanks::Order::Order(const MeterBatches& of, const std::vector<double>& values) : meters(order_by(values)) {
+MeterOrder::MeterOrder(const MeterBatches& of, const std::vector<double>& values) : meters(order_by(values)) {
   double sum = 0;
   for (const uint32_t m : meters) up_to.push_back(sum += of.weight(m));
 }
 
-size_t LowerRanks::Order::rank_above(double weight) const {
+MeterOrder::MeterOrder(const MeterBatches& of) : MeterOrder(of, values_of(of)) {}
+
+size_t MeterOrder::rank_above(double weight) const {
   const size_t rank = size_t(std::upper_bound(up_to.begin(), up_to.end(), weight) - up_to.begin());
   return std::min(rank, meters.size() - 1);
 }
 
 // From the meter that the weight `begin` reaches into to that which `end` does, one at least.
-std::span<const uint32_t> LowerRanks::Order::between(double begin, double end) const {
+std::span<const uint32_t> MeterOrder::between(double begin, double end) const {
   const size_t first = rank_above(begin),
                last = size_t(std::lower_bound(up_to.begin(), up_to.end(), end) - up_to.begin());
   return {&meters[first], std::max(std::min(last, meters.size() - 1), first) - first + 1};
 }
 
-LowerRanks::LowerRanks(MeterBatches of) : meters_(std::move(of)) {
-  std::vector<double> values;
-  for (size_t m = 0; m < count(); ++m) values.push_back(meters_.value(m));
-  all_ = {meters_, values};
+LowerRanks::LowerRanks(MeterBatches of) : meters_(std::move(of)), all_(meters_) {
   for (uint32_t half = 0; half < 2; ++half) by_half_[half] = {meters_, sums_of_half(meters_, half)};
 }
-
-size_t LowerRanks::rank_at(double share) const { return all_.rank_above(share * all_.up_to.back()); }
 
 // Standard error of a reading there.
 double LowerRanks::noise_at(size_t rank) const {
@@ -290,15 +293,11 @@ Interval between_moved(const MeterBatches& meters, const Of& of) {
   return out;
 }
 
-double value_at(const MeterBatches& meters, double share) {
-  const LowerRanks ranks(meters);
-  return ranks.value(ranks.rank_at(share));
-}
-
 }  // namespace
 
 Known percentile(const MeterBatches& meters, double share) {
-  return {value_at(meters, share),
+  const MeterOrder order(meters);
+  return {meters.value(order.meters[order.rank_at(share)]),
           between_moved<AllRanks>(meters, [&](const AllRanks& r, auto end) { return r.interval_at(share).*end; })};
 }
 
@@ -367,10 +366,10 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   if (meters.count() == 0) return s;
   s.mean_lx = meters.mean();
   {
-    const LowerRanks ranks(meters);
-    s.min_lx = ranks.value(0);
-    s.max_lx = ranks.value(meters.count() - 1);
-    s.percentile_5_lx = ranks.value(ranks.rank_at(0.05));
+    const MeterOrder order(meters);
+    s.min_lx = meters.value(order.meters.front());
+    s.max_lx = meters.value(order.meters.back());
+    s.percentile_5_lx = meters.value(order.meters[order.rank_at(0.05)]);
   }
   s.uniformity = s.mean_lx > 0 ? s.min_lx / s.mean_lx : 0;
   s.diversity = s.max_lx > 0 ? s.min_lx / s.max_lx : 0;

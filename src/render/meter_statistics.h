@@ -56,7 +56,7 @@ class MeterBatches {
   // Of value / mean, by the batches of both together.
   MeterBatches over_mean() const;
   MeterBatches negative() const;
-  // Each by as much as its offset, where that points: sign -1 or 1. What few paths found has no noise then, only that end.
+  // Each by its offset, down or up: sign -1 or 1. What few paths found has no noise then, only that end.
   MeterBatches moved(double sign) const;
 
  private:
@@ -74,6 +74,20 @@ inline constexpr uint32_t min_batches_of_interval = 6;
 // 95 %, of the least true value.
 Interval minimum_interval(const MeterBatches& meters);
 
+// By value, or by whatever stands for it.
+struct MeterOrder {
+  std::vector<uint32_t> meters;  // ascending
+  std::vector<double> up_to;     // by rank, the weight of it and those before
+  MeterOrder() = default;
+  MeterOrder(const MeterBatches& of, const std::vector<double>& values);
+  explicit MeterOrder(const MeterBatches& of);
+  double up_to_rank(size_t rank) const { return rank > 0 ? up_to[rank - 1] : 0; }
+  size_t rank_above(double weight) const;
+  // That this share of the weight is below.
+  size_t rank_at(double share) const { return rank_above(share * up_to.back()); }
+  std::span<const uint32_t> between(double begin, double end) const;
+};
+
 // The true values in ascending order, of which noise hides who is where: the lower half of them. Of meters without
 // offsets (`MeterBatches::moved`).
 class LowerRanks {
@@ -82,25 +96,16 @@ class LowerRanks {
   size_t count() const { return meters_.count(); }
   uint32_t used() const { return meters_.used(); }
   double value(size_t rank) const { return meters_.value(all_.meters[rank]); }
-  size_t rank_at(double share) const;  // that this share of the weight is below
+  size_t rank_at(double share) const { return all_.rank_at(share); }
   double share_from(size_t rank) const { return 1 - all_.up_to_rank(rank) / all_.up_to.back(); }  // of the weight
   Interval interval(size_t rank) const;  // 95 %; of the upper half the negative meters' ranks tell more
 
  private:
-  struct Order {
-    std::vector<uint32_t> meters;  // ascending
-    std::vector<double> up_to;     // by rank, the weight of it and those before
-    Order() = default;
-    Order(const MeterBatches& of, const std::vector<double>& values);
-    double up_to_rank(size_t rank) const { return rank > 0 ? up_to[rank - 1] : 0; }
-    size_t rank_above(double weight) const;
-    std::span<const uint32_t> between(double begin, double end) const;
-  };
   double noise_at(size_t rank) const;
   Interval interval_at(size_t rank) const;
 
   MeterBatches meters_;
-  Order all_, by_half_[2];  // by all batches, by the even and by the odd ones
+  MeterOrder all_, by_half_[2];  // by all batches, by the even and by the odd ones
 };
 
 struct Known {

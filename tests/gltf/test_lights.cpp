@@ -132,7 +132,7 @@ TEST_F(GoodFile, TheTiltFileIsFoundBesideASceneNamedWithoutItsFolder) {
   EXPECT_EQ(scene.luminaires[0].profile_bytes, "TILT=HID.tlt+table");
 }
 
-// A black body's chromaticity at 1500 K is (0.5857, 0.3931) (Wyszecki and Stiles 1982, table 1(3.11)): blue is clipped.
+// A black body's chromaticity at 1500 K is (0.5857, 0.3931), as tables of Planck's locus have it: blue is clipped.
 // Where fit and law meet neither jumps; beyond, colours go on.
 TEST_F(GoodFile, ColoursOfBlackBodies) {
   SceneBuilder builder;

@@ -42,6 +42,16 @@ std::string read(const std::string& path) {
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
+// By one iteration; the caller owns it.
+ups_result* render_once(const ups_scene* scene) {
+  ups_render_desc desc;
+  ups_render_desc_init(&desc, sizeof desc);
+  desc.iteration_count = 1;
+  ups_result* result = nullptr;
+  EXPECT_EQ(ups_render(scene, &desc, &result), UPS_OK) << ups_last_error();
+  return result;
+}
+
 // 4 m x 5 m without the quarter beyond x = 2, y = 3; 2.6 m high; two downlights, EN 12464-1's points, a wall's grid,
 // an observer, a camera with illuminance, surface meters and a goniometer.
 class LRoom {
@@ -500,10 +510,8 @@ class TwoPhotometries : public ::testing::Test {
     camera.width = camera.height = 8;
     ASSERT_EQ(ups_scene_add_camera(scene, &camera, &view), UPS_OK);
     ASSERT_EQ(ups_scene_commit(scene), UPS_OK);
-    ups_render_desc desc;
-    ups_render_desc_init(&desc, sizeof desc);
-    desc.iteration_count = 1;
-    ASSERT_EQ(ups_render(scene, &desc, &result), UPS_OK) << ups_last_error();
+    result = render_once(scene);
+    ASSERT_NE(result, nullptr);
   }
   void TearDown() override { ups_result_destroy(result), ups_scene_destroy(scene); }
 
@@ -568,7 +576,6 @@ TEST_F(TwoPhotometries, AreNotInThePageOfAnotherScene) {
 // A camera in empty space, beside nothing that has a place.
 TEST(ReportOfNothing, HasNoPlan) {
   ups_scene* scene = nullptr;
-  ups_result* result = nullptr;
   ASSERT_EQ(ups_scene_create(LRoom::lit().context, &scene), UPS_OK);
   ups_camera_desc camera;
   ups_camera_desc_init(&camera, sizeof camera);
@@ -576,10 +583,8 @@ TEST(ReportOfNothing, HasNoPlan) {
   ups_sensor_id view{};
   ASSERT_EQ(ups_scene_add_camera(scene, &camera, &view), UPS_OK);
   ASSERT_EQ(ups_scene_commit(scene), UPS_OK);
-  ups_render_desc desc;
-  ups_render_desc_init(&desc, sizeof desc);
-  desc.iteration_count = 1;
-  ASSERT_EQ(ups_render(scene, &desc, &result), UPS_OK) << ups_last_error();
+  ups_result* result = render_once(scene);
+  ASSERT_NE(result, nullptr);
   ups_report_page_desc page;
   ups_report_page_desc_init(&page, sizeof page);
   page.scene = scene, page.result = result;

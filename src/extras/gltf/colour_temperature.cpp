@@ -25,7 +25,7 @@ Chromaticity by_fit(double kelvin) {
   return {x, 3.0817580 * x * x * x - 5.87338670 * x * x + 3.75112997 * x - 0.37001483};
 }
 
-// The colour matching functions of the CIE 1931 observer, from 380 nm in steps of 10 nm (CIE 015:2018, table 6, rounded).
+// The colour matching functions of the CIE 1931 observer, from 380 nm in steps of 10 nm, to four decimals.
 constexpr double observer[][3] = {
     {0.0014, 0, 0.0065},           {0.0042, 0.0001, 0.0201}, {0.0143, 0.0004, 0.0679}, {0.0435, 0.0012, 0.2074},
     {0.1344, 0.0040, 0.6456},      {0.2839, 0.0116, 1.3856}, {0.3483, 0.0230, 1.7471}, {0.3362, 0.0380, 1.7721},
