@@ -99,7 +99,8 @@ enum {
   UPS_OBSERVER_NO_BACKGROUND = 2,    /* no indirect light was found at the eye: no rating */
   UPS_OBSERVER_LARGE_SOURCE = 4,     /* a source above 0.1 sr, for which UGR is too low; rated as others. See ggr */
   UPS_OBSERVER_POINT_SOURCE = 8,     /* a source without extent, rated as a small one */
-  UPS_OBSERVER_UNRATED_SOURCE = 16,  /* a directional light or the rays of a file: in no rating */
+  UPS_OBSERVER_UNRATED_SOURCE = 16,  /* a directional light, the rays of a file, or light beyond what
+                                      * numbers hold: in no rating */
   UPS_OBSERVER_FIXTURE = 32,         /* a fixture is in view: what its own reflectors, lenses and covers send counts as
                                       * background, so the rating is too low. Measure it with a goniometer and place
                                       * that profile */

@@ -30,17 +30,19 @@ UPS_API ups_status ups_result_read_largest_samples(const ups_result *result, ups
 
 typedef struct ups_path ups_path; /* a sample as it was traced again; immutable, any thread */
 
-/* Traces the sample's iteration up to its path, and that path alone: takes as long as a pilot and one iteration. desc as
- * of the render that the sample is of, but for its seed, limits, target and flux_paths, which are not read; scene as it
- * was committed then. Of `sample` value and share are not read. INVALID_ARGUMENT where such a render traces no such
- * path; OUT_OF_MEMORY where it wants more than memory_limit_bytes allows, as ups_render. The caller owns *out. */
+/* Traces the sample's iteration up to its path, that path alone, and the light paths that it was joined to: takes as long
+ * as a pilot and one iteration. desc as of the render that the sample is of, but for its seed, limits, target and
+ * flux_paths, which are not read; scene as it was committed then. Of `sample` value and share are not read.
+ * INVALID_ARGUMENT where such a render traces no such path; OUT_OF_MEMORY where it wants more than memory_limit_bytes
+ * allows, as ups_render. The caller owns *out. */
 UPS_API ups_status ups_replay(const ups_scene *scene, const ups_render_desc *desc, const ups_sample *sample,
                               ups_path **out);
 UPS_API void ups_path_destroy(ups_path *path); /* NULL ok */
 
 typedef struct ups_path_info {
   uint32_t struct_size;
-  uint32_t walks;     /* 1, and the light paths that its largest contributions were joined to */
+  uint32_t walks;     /* 1, and the light paths that its contributions were joined to, of the largest ones that make up
+                       * 99 % of it, twelve at least */
   /* lx, cd/m^2: the value of the sample. Of a light path the largest of its contributions, as it may bring several; of a
    * point meter's disc that of the whole disc, of which the reading may have taken the middle */
   double value;
@@ -92,8 +94,9 @@ UPS_API ups_status ups_path_read_vertices(const ups_path *path, ups_path_vertex 
 /* The largest first; the same way. They add up to an eye path's value. */
 UPS_API ups_status ups_path_read_contributions(const ups_path *path, ups_path_contribution *contributions,
                                                size_t capacity, size_t *needed);
-/* All that is known of the path, for people: a line a vertex, and the largest contributions with their densities. Two
- * calls: text NULL and capacity 0 give *needed (with the final zero), then the text. */
+/* All that is known of the path, for people: a line a vertex, and the contributions that make up 99 % of it, twelve at
+ * least, with their weights and densities. Two calls: text NULL and capacity 0 give *needed (with the final zero), then
+ * the text. */
 UPS_API ups_status ups_path_get_text(const ups_path *path, char *text, size_t capacity, size_t *needed);
 
 #endif

@@ -33,7 +33,8 @@ std::string glare_warnings(const Snapshot& scene, uint32_t observer_id, const Se
                   "background, so that the rating is too low; a profile of the whole luminaire, or the cover itself as "
                   "what emits, is rated\n";
   if (glare.has_unrated)
-    text += who + "parallel light and luminaires that emit the rays of a file have no part in its rating\n";
+    text += who + "parallel light, luminaires that emit the rays of a file and light beyond what numbers hold have no "
+                  "part in its rating\n";
   return text;
 }
 

@@ -59,6 +59,10 @@ double MeterError::quantile_ratio(double factor) const {
   return t_quantile(uint32_t(then)) / t_quantile(visits);
 }
 
+// A point meter's disc knows no schedule of radii: chosen by least error, noise^2 ~ 1 / (n r^2) against bias^2 ~ r^4, it
+// has r^2 ~ n^(-1/3).
+constexpr double disc_alpha = 2.0 / 3;
+
 // The widest disc stays as long as a wider one would have less error, of noise^2 ~ 1 / r^2 and bias ~ r^2: while
 // noise^2 is more than twice bias^2. Noise of a bound is some two standard errors.
 MeterError::Left MeterError::left_of_merging(double factor, double alpha, double stays) const {
@@ -111,6 +115,7 @@ void MeanError::add(const MeterError& m) {
   noise_ += m.noise, bias_ += m.bias, unfound_ += m.unfound;
   merged_ += double(m.noise) * m.merged, of_bias_ += double(m.noise) * m.of_bias;
   if (m.widest) widest_ += double(m.noise) * m.merged;
+  if (m.narrower) narrower_ += double(m.noise) * m.merged;
   paths_ += double(m.unfound) * m.paths;
   if (m.noise > 0 && m.visits > 0) visits_ = visits_ > 0 ? std::min(visits_, m.visits) : m.visits;
   ++count_;
@@ -126,6 +131,7 @@ MeterError MeanError::mean() const {
           .paths = unfound_ > 0 ? float(paths_ / unfound_) : 0,
           .of_bias = noise_ > 0 ? float(of_bias_ / noise_) : 0,
           .widest = widest_ > 0.5 * merged_,
+          .narrower = widest_ <= 0.5 * merged_ && widest_ + narrower_ > 0.5 * merged_,
           .visits = visits_};
 }
 
@@ -198,7 +204,7 @@ Prediction::Model Prediction::model(double factor) const {
   const double of_rest = 1 / factor;
   std::vector<std::pair<double, double>> all;  // error, bias
   for (const MeterError& m : parts_) {
-    const MeterError::Left left = m.left_of_merging(factor, alpha_, stays_);
+    const MeterError::Left left = m.left_of_merging(factor, m.is_disc() ? disc_alpha : alpha_, stays_);
     const double of_rays = std::max(0.0, 1 - double(m.merged) - double(m.of_bias)), bias = m.bias * left.bias,
                  square = of_rays * of_rest + m.merged * left.noise2, now_noise = noise(m) * m.quantile_ratio(factor),
                  all_noise = now_noise * std::sqrt(square + m.of_bias * left.bias * left.bias), paths = double(m.paths),

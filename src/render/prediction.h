@@ -22,6 +22,7 @@ struct MeterError {
   float of_bias = 0;  // share of noise^2 that is how little bias is known: it falls as bias does
   // A disc of photons is the widest there is, which does not shrink as long as its bias is little; or a narrower one.
   bool widest = false, narrower = false;
+  bool is_disc() const { return widest || narrower; }
   uint32_t visits = 0;  // by which the batches' quantile is in the noise; 0: whatever their number, it is the same
   float error() const { return noise + bias + unfound; }
   MeterError scaled(double scale) const;
@@ -47,7 +48,8 @@ class MeanError {
   MeterError mean() const;
 
  private:
-  double noise_ = 0, merged_ = 0, widest_ = 0, of_bias_ = 0, bias_ = 0, unfound_ = 0, paths_ = 0, count_ = 0;
+  double noise_ = 0, merged_ = 0, widest_ = 0, narrower_ = 0, of_bias_ = 0;
+  double bias_ = 0, unfound_ = 0, paths_ = 0, count_ = 0;
   uint32_t visits_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
+#include <unordered_map>
 
 #include "base/error.h"
 #include "platform/numbers.h"
@@ -12,8 +13,6 @@
 namespace ups {
 
 namespace {
-
-constexpr size_t told_contributions = 12;
 
 std::string format(const char* pattern, ...) {
   const platform::PointInNumbers point;
@@ -72,6 +71,7 @@ class Teller {
   PathReplay tell() {
     out_.info.struct_size = sizeof out_.info;
     out_.info.walks = uint32_t(1 + r_.light_paths.size());
+    for (uint32_t k = 0; k < r_.light_paths.size(); ++k) walk_of_[r_.light_paths[k].path] = k + 1;
     out_.info.value = r_.value;
     out_.info.contributions = uint32_t(r_.contributions.size());
     head();
@@ -169,10 +169,11 @@ class Teller {
 
   void contributions() {
     if (r_.contributions.empty()) return line("\nIt found no light.");
-    const size_t told = std::min(told_contributions, r_.contributions.size());
-    line(told < r_.contributions.size()
-             ? format("\nThe %zu largest of %zu contributions:", told, r_.contributions.size())
-             : format("\nContributions: %zu", r_.contributions.size()));
+    const size_t told = r_.told;
+    line(told < r_.contributions.size() ? format("\nThe %zu largest of %zu contributions, of which the others bring less "
+                                                 "than %.3g %% together:",
+                                                 told, r_.contributions.size(), 100 * (1 - told_share))
+                                        : format("\nContributions: %zu", r_.contributions.size()));
     for (size_t i = 0; i < r_.contributions.size(); ++i) {
       out_.contributions.push_back(contribution(r_.contributions[i]));
       if (i < told) tell(r_.contributions[i], out_.contributions.back());
@@ -189,8 +190,7 @@ class Teller {
     out.edges = c.technique.edges;
     out.light_vertices = c.technique.s;
     out.light_path = c.light_path;
-    for (uint32_t k = 0; k < r_.light_paths.size(); ++k)
-      if (c.light_path != none && r_.light_paths[k].path == c.light_path) out.walk = k + 1;
+    if (const auto walk = walk_of_.find(c.light_path); walk != walk_of_.end()) out.walk = walk->second;
     const Source& source = scene_.sources[scene_.source_of_emitter[c.emitter]];
     out.source_kind = source.kind;
     out.source = source.id;
@@ -230,6 +230,7 @@ class Teller {
   const Plan& plan_;
   const ups_sample& sample_;
   const Replayed& r_;
+  std::unordered_map<uint32_t, uint32_t> walk_of_;  // of a light path, by its number
   PathReplay out_;
 };
 

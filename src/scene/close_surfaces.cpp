@@ -2,7 +2,10 @@
 #include "scene/close_surfaces.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <iterator>
 
 #include "base/rng.h"
 #include "scene/panes.h"
@@ -36,6 +39,10 @@ float share_of(const Snapshot& scene, uint32_t instance, size_t instances, const
 // As far as a ray goes on beyond a surface that it has passed, at most: see encounter.cpp, Ray::pass.
 float passed(const Snapshot& scene, const SurfacePoint& s) { return 2 * s.error + 16 * 0x1p-24f * scene.radius; }
 
+const Material& material_of(const Snapshot& scene, uint32_t instance) {
+  return scene.materials[scene.instances[instance].material];
+}
+
 std::vector<uint32_t> solids_of_glass(const Snapshot& scene) {
   std::vector<uint32_t> glass;
   for (uint32_t i = 0; i < scene.instances.size(); ++i)
@@ -61,8 +68,7 @@ std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadP
       for (const Hit& hit : hits) {
         if (hit.instance == pane.instance) continue;
         close[i] = true;
-        const Material& other = scene.materials[scene.instances[hit.instance].material];
-        if (scene.panes.is_crossed(hit.instance) || traits_of(other).transmits) continue;
+        if (scene.panes.is_crossed(hit.instance) || traits_of(material_of(scene, hit.instance)).transmits) continue;
         pane.opaque = hit.instance;
         return true;
       }
@@ -78,8 +84,7 @@ std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadP
 
 bool stops_light(const Snapshot& scene, uint32_t instance) {
   return scene.media.of_instance[instance] == none && !scene.panes.is_crossed(instance) &&
-         scene.emitter_of_instance[instance] == none &&
-         !traits_of(scene.materials[scene.instances[instance].material]).transmits;
+         scene.emitter_of_instance[instance] == none && !traits_of(material_of(scene, instance)).transmits;
 }
 
 std::vector<uint32_t> find_touched_glass(const Snapshot& scene, ThreadPool& pool, Monitor& monitor) {
@@ -99,6 +104,80 @@ std::vector<uint32_t> find_touched_glass(const Snapshot& scene, ThreadPool& pool
     if (touched[i]) found[kept++] = found[i];
   found.resize(kept);
   return found;
+}
+
+namespace {
+
+// Without holes.
+bool is_opaque(const Snapshot& scene, uint32_t instance) {
+  return stops_light(scene, instance) &&
+         scene.texturing[scene.instances[instance].material].alpha_mode == SurfaceTexturing::opaque;
+}
+
+// Opaque ones.
+bool looks_alike(const Material& a, const Material& b) {
+  const auto numbers = [](const Material& m) {
+    return std::array{m.reflectance.r, m.reflectance.g, m.reflectance.b, m.roughness,   m.ior,         m.metallic,
+                      m.ior_rgb.r,     m.ior_rgb.g,     m.ior_rgb.b,     m.ior_k_rgb.r, m.ior_k_rgb.g, m.ior_k_rgb.b};
+  };
+  return a.model == b.model && numbers(a) == numbers(b) && a.reflectance_texture == b.reflectance_texture &&
+         a.roughness_texture == b.roughness_texture && a.metallic_texture == b.metallic_texture;
+}
+
+// Rays are aslant, each in its own way: of several that come straight down all would meet the same one of two planes.
+// As near as rounding decides: a quarter of what rays are lifted by. none: there is no such surface.
+uint32_t met_in_plane(const Snapshot& scene, uint32_t instance, const SurfacePoint& s) {
+  constexpr float most_slant = 0.5f, parallel = 0.9999f;
+  const auto bits = [](float v) { return std::bit_cast<uint32_t>(v); };
+  const auto u = philox({bits(s.p.x), bits(s.p.y), bits(s.p.z), 0}, {0, 0});
+  const auto slant = [&](size_t k) { return most_slant * (2 * to_unit_float(u[k]) - 1); };
+  const Vec3 d = Frame(s.ng).to_world(normalize(Vec3(slant(0), slant(1), -1)));
+  const float gap = 0.25f * s.error;
+  Hit hit;
+  if (!scene.raytracer->intersect(s.p - d * gap, d, 2 * gap, hit) || hit.instance == instance ||
+      !is_opaque(scene, hit.instance) ||
+      looks_alike(material_of(scene, hit.instance), material_of(scene, instance)) ||
+      dot(scene.raytracer->surface_at(hit).ng, s.ng) < parallel)
+    return none;
+  return hit.instance;
+}
+
+// Nobody sees what the smaller of both encloses, as the lower face of a box that is wound inwards and stands on a floor.
+bool is_enclosed(const Snapshot& scene, const SurfacePoint& s, uint32_t a, uint32_t b) {
+  const auto size = [&](uint32_t i) {
+    const Raytracer::Instance& instance = scene.instances[i];
+    const Box& box = scene.mesh_boxes[instance.mesh];
+    return double(length(box.upper - box.lower)) * std::cbrt(std::abs(instance.to_scene.determinant()));
+  };
+  Hit hit;
+  return scene.raytracer->intersect(s.ray_origin(s.ng), s.ng, INFINITY, hit) &&
+         hit.instance == (size(a) < size(b) ? a : b);
+}
+
+}  // namespace
+
+std::vector<Overlaid> find_overlaid(const Snapshot& scene, ThreadPool& pool, const Monitor* monitor) {
+  const size_t count = scene.instances.size();
+  std::vector<Overlaid> found(count);
+  parallel_for(pool, count, [&](size_t i) {
+    if (monitor) monitor->check();
+    Overlaid& here = found[i];
+    here.instance = uint32_t(i);
+    if (!is_opaque(scene, here.instance)) return;
+    share_of(scene, here.instance, count, [&](const SurfacePoint& s) {
+      if (here.beneath != none) return false;
+      const uint32_t other = met_in_plane(scene, here.instance, s);
+      if (other == none || is_enclosed(scene, s, here.instance, other)) return false;
+      here.beneath = other, here.resolved_m = s.error;
+      return true;
+    });
+  });
+  const auto is_told = [&](const Overlaid& o) {  // a pair once
+    return o.beneath != none && (found[o.beneath].beneath != o.instance || o.instance > o.beneath);
+  };
+  std::vector<Overlaid> out;
+  std::copy_if(found.begin(), found.end(), std::back_inserter(out), is_told);
+  return out;
 }
 
 std::vector<uint32_t> find_thin_glass(const Snapshot& scene, ThreadPool& pool) {

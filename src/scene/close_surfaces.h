@@ -18,6 +18,15 @@ std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadP
 std::vector<uint32_t> find_touched_glass(const Snapshot& scene, ThreadPool& pool, Monitor& monitor);
 bool stops_light(const Snapshot& scene, uint32_t instance);  // of such a surface
 
+// What no light goes through and lies in the very plane of another such surface of another material, that faces the same
+// way, as a rug that is drawn on the floor: rounding decides which of them a ray meets. Not what stands on a floor, whose
+// lower face looks down.
+struct Overlaid {
+  uint32_t instance = 0, beneath = none;
+  float resolved_m = 0;  // apart by so much they are told apart
+};
+std::vector<Overlaid> find_overlaid(const Snapshot& scene, ThreadPool& pool, const Monitor* monitor);
+
 // Solids of glass most of which is thinner than what a refracted ray starts off the surface: it would start behind them.
 std::vector<uint32_t> find_thin_glass(const Snapshot& scene, ThreadPool& pool);
 

@@ -102,7 +102,10 @@ void Builder::add_meter_set(uint32_t id, const std::function<MeterSet()>& make) 
 
 // What nothing has changed for is not searched again.
 void Builder::share_searches() {
-  out_->surface_search = same_surfaces_ ? earlier_->surface_search : std::make_shared<SearchedWarnings>();
+  const auto same_material = [](const auto& a, const auto& b) { return a.material == b.material; };
+  const bool look_alike = same_surfaces_ && earlier_->emitter_of_instance == out_->emitter_of_instance &&
+                          std::ranges::equal(earlier_->instances, out_->instances, same_material);
+  out_->surface_search = look_alike ? earlier_->surface_search : std::make_shared<SearchedWarnings>();
   out_->light_search = same_places_ && same_emitters_ && sensors_are_same() ? earlier_->light_search
                                                                             : std::make_shared<SearchedWarnings>();
 }

@@ -188,7 +188,7 @@ void Builder::add_emissive_instances() {
       if (probe.lies_in_another == 1)
         warn_of(out_->sources.back(),
                 "it emits to both sides, and lies in the plane of another surface, which some of the rays to it meet "
-                "first: part of its light is lost; move it off that surface");
+                "first: up to a third of its light is lost; move it off that surface");
       if (probe.starts_beyond != none)
         warn_of(out_->sources.back(),
                 "instance " + std::to_string(out_->instance_ids[probe.starts_beyond]) +

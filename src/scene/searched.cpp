@@ -90,6 +90,20 @@ void find_glass_without_room(const Snapshot& scene, ThreadPool& threads, Warning
                    "smaller");
 }
 
+void find_overlaid_surfaces(const Snapshot& scene, ThreadPool& threads, const Monitor* monitor, Warnings& warn) {
+  const std::vector<Overlaid> found = find_overlaid(scene, threads, monitor);
+  if (found.empty()) return;
+  std::vector<uint32_t> ids;
+  float resolved_m = 0;
+  for (const Overlaid& o : found)
+    ids.push_back(scene.instance_ids[o.instance]), resolved_m = std::max(resolved_m, o.resolved_m);
+  warn.push_back(listed("instance", ids) + ": in the very plane of another surface of another material (" +
+                 std::to_string(ids[0]) + " in that of instance " +
+                 std::to_string(scene.instance_ids[found[0].beneath]) +
+                 "): rounding decides which of them a ray hits; move one off the other by " +
+                 length_text(double(resolved_m)) + " or more, or cut an opening");
+}
+
 template <class Find>
 void search(SearchedWarnings& searched, Warnings& out, const Find& find) {
   const std::lock_guard alone(searched.searching);
@@ -110,6 +124,7 @@ std::vector<std::string> searched_warnings(const Snapshot& scene, ThreadPool& po
   };
   search(*scene.surface_search, out, [&](Warnings& found) {
     for (const auto find : {find_overlaps, find_odd_triangles, find_glass_without_room}) run(find, found);
+    find_overlaid_surfaces(scene, pool, monitor, found);
   });
   search(*scene.light_search, out, [&](Warnings& found) { run(find_swallowed, found); });
   return out;

@@ -39,13 +39,13 @@ class Plot {
  public:
   Plot(const ups_scene* scene, const std::vector<ups_path_vertex>& vertices,
        const std::vector<ups_path_contribution>& contributions)
-      : scene_(scene), vertices_(vertices), contributions_(contributions) {
-    for (const ups_path_vertex& v : vertices)
-      for (int i = 0; i < 3; ++i) centre_[i] += v.position_m[i] / double(vertices.size());
+      : scene_(scene), vertices_(drawn_of(vertices, contributions)), contributions_(contributions) {
+    for (const ups_path_vertex& v : vertices_)
+      for (int i = 0; i < 3; ++i) centre_[i] += v.position_m[i] / double(vertices_.size());
     // The horizontal direction in which the path reaches farthest from its start.
     double farthest = 0;
-    for (const ups_path_vertex& v : vertices) {
-      const double x = v.position_m[0] - vertices[0].position_m[0], y = v.position_m[1] - vertices[0].position_m[1];
+    for (const ups_path_vertex& v : vertices_) {
+      const double x = v.position_m[0] - vertices_[0].position_m[0], y = v.position_m[1] - vertices_[0].position_m[1];
       if (std::hypot(x, y) > farthest) farthest = std::hypot(x, y), along_[0] = x / farthest, along_[1] = y / farthest;
     }
     if (along_[0] < 0) along_[0] = -along_[0], along_[1] = -along_[1];
@@ -71,6 +71,17 @@ class Plot {
   }
 
  private:
+  // The sample's own walk, and the light paths of the contributions that are drawn.
+  static std::vector<ups_path_vertex> drawn_of(const std::vector<ups_path_vertex>& vertices,
+                                               const std::vector<ups_path_contribution>& contributions) {
+    std::vector<ups_path_vertex> out;
+    const auto end = contributions.begin() + ptrdiff_t(std::min(drawn_contributions, contributions.size()));
+    for (const ups_path_vertex& v : vertices)
+      if (v.walk == 0 ||
+          std::any_of(contributions.begin(), end, [&](const ups_path_contribution& c) { return c.walk == v.walk; }))
+        out.push_back(v);
+    return out;
+  }
   // Its cut of the room, and all that it shows.
   void prepare(const View& view) {
     cuts_.push_back(read_array<ups_segment>([&](ups_segment* to, size_t capacity, size_t* needed) {
@@ -160,7 +171,7 @@ class Plot {
   }
 
   const ups_scene* scene_;
-  const std::vector<ups_path_vertex>& vertices_;
+  const std::vector<ups_path_vertex> vertices_;
   const std::vector<ups_path_contribution>& contributions_;
   double centre_[3] = {}, along_[2] = {1, 0};
   std::vector<std::vector<ups_segment>> cuts_;

@@ -24,6 +24,7 @@ struct Look {
   double light = 0, squares = 0;  // all, and its square
   double visible = 0, arriving = 0;  // that nothing hides, and what panes and media leave of that
   double covered = 0;                // that ends on what lets light through, and scatters or bends it
+  bool is_finite = true;             // all of it: what is not is left out
   double share() const { return light > 0 ? visible / light : 0; }
   double rays() const { return squares > 0 ? light * light / squares : 1; }  // of the same weight, as good
 };
@@ -60,7 +61,11 @@ struct Eye {
       DirectSample s;
       const auto random = philox({source.index, uint32_t(i), uint32_t(side), source.number}, {0, 0});
       const Vec2 u{place(i % side, random[0]), place(i / side, random[1])};
-      if (!emitter.sample_direct(meter.p, u, s) || !is_finite(s.weight)) continue;
+      if (!emitter.sample_direct(meter.p, u, s)) continue;
+      if (!is_finite(s.weight)) {
+        out.is_finite = false;
+        continue;
+      }
       const double share = by_place ? weight_of(s.wi) : 1, light = share * luminance(s.weight);
       if (!(light > 0)) continue;
       out.light += light;
@@ -118,7 +123,8 @@ struct Eye {
     out.glare.distance_m = sight.distance;
     out.glare.is_small = seen.area_m2 < photometry::small_source_m2;
     const double term = photometry::glare_term(out.glare);
-    if (term > 0 && std::isfinite(term)) out.term = term;
+    out.is_unrated = !std::isfinite(term);
+    if (!out.is_unrated) out.term = std::max(0.0, term);
   }
 
   // What is left of it. A source that is far less than the worst needs fewer rays to be known as well.
@@ -126,8 +132,10 @@ struct Eye {
     const bool is_point = of.emitter->is_delta();
     int side = is_point ? 1 : 4 * source.term >= worst ? many_rays : few_rays;
     Look look = look_at(of, side, source.by_place);
+    source.is_unrated = !look.is_finite;
     if (!is_point && look.share() > 0 && look.share() < 1) look = look_at(of, side = many_rays, source.by_place);
     source.is_covered = look.covered > least_covered * look.light;
+    source.is_unrated |= !look.is_finite;
     const double share = look.share(), power = source.glare.is_small ? 2 : 1;
     const double missed = is_point ? 0 : -std::expm1(-rule_of_three / look.rays());  // a share
     if (!(look.arriving > 0)) {
@@ -262,6 +270,7 @@ SeenGlare find_glare(const Snapshot& scene, const GlareParts& parts, const Obser
   if (stop.is_set()) return {};
   for (const SeenSource& source : all) {
     out.has_covered |= source.is_covered;
+    out.has_unrated |= source.is_unrated;
     take(source, out);
     variance += source.term_error * source.term_error;
   }

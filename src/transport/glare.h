@@ -18,6 +18,7 @@ struct SeenSource {
   double term_error = 0;     // standard error of it, by the rays that look for what hides it
   bool by_place = false;     // stretches so far that each piece counts by its place in view
   bool is_covered = false;   // by what lets light through and is no pane
+  bool is_unrated = false;   // all of it or some: what is not finite is left out
   double missed = 0;         // 95 %: what a term of 0 may be all the same, what one that nothing hides may lack
 };
 
@@ -28,7 +29,7 @@ struct SeenGlare {
   // points, which one ray sees or not, nothing.
   double unseen = 0, hidden = 0;
   double ceiling_coverage = 0;      // by large sources (CIE 147); 0 where none is seen
-  bool has_unrated = false;         // sources without a luminance or intensity: parallel light, rays of a file
+  bool has_unrated = false;         // parallel light and rays of a file, without luminance; what is not finite
   bool has_fixture = false;         // one in view, whose own optics are no source
   bool has_covered = false;         // one in view behind glass or a diffuser that is no pane, which are no source
 };

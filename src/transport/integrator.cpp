@@ -1,6 +1,8 @@
 // See integrator.h: radii of the iteration, the light pass, the photon index, and the eye passes of all sensors.
 #include "transport/integrator.h"
 
+#include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "transport/eye_pass.h"
@@ -206,6 +208,19 @@ double Integrator::replay_eye_path(const Iteration& in, const Photons& photons, 
   return retrace_meter(in, photons, direct_, a.sensor, first_path, a.element, a.path.number(), tally);
 }
 
+namespace {
+
+// Of contributions, the largest first.
+size_t count_told(const std::vector<ReplayedContribution>& all) {
+  double sum = 0, told = 0;
+  for (const ReplayedContribution& c : all) sum += c.value();
+  size_t count = 0;
+  while (count < all.size() && (count < least_told || told < told_share * sum)) told += all[count++].value();
+  return count;
+}
+
+}  // namespace
+
 Replayed Integrator::replay(const SampleAddress& a, const StopSignal& stop) {
   WorkCounts unused;
   for (uint32_t i = 0; i <= a.iteration && plan_.meter_pass(i) == 0; ++i) look_from_meters(i, stop, unused);
@@ -234,13 +249,13 @@ Replayed Integrator::replay(const SampleAddress& a, const StopSignal& stop) {
   r.contributions = std::move(recorder.contributions);
   std::stable_sort(r.contributions.begin(), r.contributions.end(),
                    [](const ReplayedContribution& x, const ReplayedContribution& y) { return x.value() > y.value(); });
-  for (const ReplayedContribution& c : r.contributions) {
-    const auto is_there = [&](const ReplayedWalk& w) { return w.path == c.light_path; };
-    if (r.light_paths.size() == most_light_paths || c.light_path == none ||
-        std::any_of(r.light_paths.begin(), r.light_paths.end(), is_there))
-      continue;
+  r.told = count_told(r.contributions);
+  std::unordered_set<uint32_t> retraced;
+  for (size_t i = 0; i < r.told && !stop.is_set(); ++i) {
+    const uint32_t path = r.contributions[i].light_path;
+    if (path == none || !retraced.insert(path).second) continue;
     ReplayRecorder light(in, nullptr, a);
-    retrace(c.light_path, light);
+    retrace(path, light);
     r.light_paths.push_back(std::move(light.walk));
   }
   return r;

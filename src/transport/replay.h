@@ -59,10 +59,13 @@ struct Replayed {
   double scale = 1;    // of contributions in it
   ReplayedWalk walk;
   std::vector<ReplayedContribution> contributions;  // the largest first
-  std::vector<ReplayedWalk> light_paths;            // of the largest ones
+  size_t told = 0;                                  // of them, by told_share and least_told
+  std::vector<ReplayedWalk> light_paths;            // that these were joined to, each once
 };
 
-inline constexpr size_t most_light_paths = 4;  // of Replayed
+// So much of a sample is told in full, with the light paths that brought it, and so many contributions at least.
+inline constexpr double told_share = 0.99;
+inline constexpr size_t least_told = 12;
 
 // Writes down one walk.
 class ReplayRecorder : public PathRecorder {

@@ -8,7 +8,7 @@
 // Its standard error is at most 0.125 %: a false alarm has P(|t_15| > 2.8) = 1.3 % at that limit, 0.14 % at the 0.09 %
 // that is usual; an error of 1 % is found in 99 cases of 100. The terms have no noise: to 0.015 of a rating, so that
 // 0.5 % of them is found for certain.
-#include "../stability/full.h"
+#include "../support/full.h"
 #include "../support/expect_lx.h"
 #include "../support/profiles.h"
 #include "../support/shapes.h"

@@ -147,6 +147,14 @@ size_t lines_of_vertices(const std::string& text) {
   return lines;
 }
 
+// Contributions whose densities the text tells.
+size_t told_in_full(const std::string& text) {
+  size_t count = 0;
+  const std::string told = "densities of all techniques over its own";
+  for (size_t at = 0; (at = text.find(told, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
 class ReplayedSamples : public testing::TestWithParam<ups_method> {};
 
 TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
@@ -159,6 +167,7 @@ TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
     for (const ups_sample& s : result.largest_samples(sensor)) samples.push_back(s);
   std::map<std::pair<uint32_t, ups_walk>, int> seen;
   std::map<int, int> judged;
+  uint32_t most_walks = 0;
   for (const ups_sample& s : samples) {
     if (++seen[{s.sensor.v, s.walk}] > 3) continue;
     const Path path(room.scene, options, s);
@@ -179,6 +188,13 @@ TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
       EXPECT_LE(c.weight, 1);
       EXPECT_LT(c.walk, info.walks);
     }
+    // What is not told in full, with the vertices of its light path, is a hundredth at most.
+    double untold = 0;
+    for (size_t i = 0; i < contributions.size(); ++i)
+      if (i >= told_in_full(path.text()) || (contributions[i].light_path != UINT32_MAX && contributions[i].walk == 0))
+        untold += contributions[i].value;
+    EXPECT_LE(untold, 0.0101 * sum) << path.text();
+    most_walks = std::max(most_walks, info.walks);
     EXPECT_NEAR(s.walk == UPS_WALK_EYE ? sum : double(contributions[0].value), info.value, 1e-4 * info.value);
     const auto vertices = path.vertices();
     ASSERT_FALSE(vertices.empty());
@@ -195,6 +211,7 @@ TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
   }
   for (const int event : {UPS_EVENT_SCATTERED, UPS_EVENT_MIRRORED, UPS_EVENT_REFRACTED}) EXPECT_GT(judged[event], 5);
   EXPECT_GE(seen.size(), 3u);
+  if (GetParam() == UPS_METHOD_PPM) EXPECT_GT(most_walks, 20u) << "pixels merge with more photons than a handful";
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, ReplayedSamples,

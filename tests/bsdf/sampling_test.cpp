@@ -1,7 +1,7 @@
 // Does sample() follow pdf(), and is everything that it returns what eval() and pdf() say?
 #include <gtest/gtest.h>
 
-#include "../stability/full.h"
+#include "../support/full.h"
 #include "bsdf/fresnel.h"
 #include "cases.h"
 #include "support/chi_square.h"

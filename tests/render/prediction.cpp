@@ -266,6 +266,25 @@ TEST(Prediction, TheWidestDiscStaysInEvenLight) {
   }
 }
 
+// Discs of point meters are chosen after the photons came: the exponent of the radii that shrink moves no prediction of
+// theirs, and those of pixels.
+TEST(Prediction, DiscsKnowNoScheduleOfRadii) {
+  for (const bool narrower : {true, false}) {
+    Simulation simulation(caustic, 5);
+    Prediction usual(UPS_CRITERION_MEAN, alpha), slow(UPS_CRITERION_MEAN, 0.9);
+    for (const uint32_t look : {32u, 64u, 128u}) {
+      while (simulation.iterations() < look) simulation.iterate();
+      std::vector<MeterError> meters = simulation.errors();
+      for (MeterError& m : meters) m.narrower = narrower;
+      const double n = look, error = by(UPS_CRITERION_MEAN, meters);
+      usual.add_look({n, n, error}, meters), slow.add_look({n, n, error}, meters);
+    }
+    const double a = usual.log_error(4096).mean, b = slow.log_error(4096).mean;
+    if (narrower) EXPECT_EQ(a, b);
+    else EXPECT_GT(b, a + 0.1) << "what shrinks slowly stays biased";
+  }
+}
+
 // Errors that are exactly c / sqrt(n) are foretold exactly; of a target that is met the look is told that met it.
 TEST(Prediction, OfNoiseWithoutItsOwnNoise) {
   Prediction p(UPS_CRITERION_MEAN, alpha);

@@ -4,7 +4,7 @@
 // 0.5 % or four of them are allowed, so that errors of 1 % are found in 97 of 100 cases (in pictures 1.5 %). Seeds are
 // fixed: a test that passes once passes always.
 #include "../support/expect_same.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {
@@ -23,10 +23,7 @@ ups_material_desc blended(ups_material_desc d, double alpha) {
 void expect_merged_as_traced(Scene& scene, const Sensor& camera, RenderOptions merged) {
   const Mean a = image_mean(scene, camera, {.method = UPS_METHOD_PATH_TRACING, .iterations = 64}),
              b = image_mean(scene, camera, merged);
-  measured("merged: %+.2f %% of traced (+- %.2f %%)", 100 * (b.value / a.value - 1),
-           100 * std::hypot(a.standard_error, b.standard_error) / a.value);
-  EXPECT_LE(std::hypot(a.standard_error, b.standard_error), 0.004 * a.value) << "too noisy to judge";
-  EXPECT_NEAR(b.value / a.value, 1, 0.012);
+  expect_within(b.value, std::hypot(a.standard_error, b.standard_error), a.value, 0.012, 0.004, "merged");
 }
 
 // Rays that are the same in all iterations are not all hidden or all let by, and sheets do not decide alike.
@@ -173,7 +170,8 @@ TEST(Taught, BlendedFilmsOnPanesAreCrossedWithThem) {
     const auto readings = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16}).readings(meters);
     for (size_t i = 0; i < points.size(); ++i) {
       const double x = points[i].x - 0.3, y = points[i].y - 0.2, d2 = x * x + y * y + 4;
-      EXPECT_NEAR(readings[i].illuminance_lx / (0.75 * candela * 2 / (d2 * std::sqrt(d2))), 1, 1e-4) << i;
+      expect_ratio(readings[i].illuminance_lx, 0.75 * candela * 2 / (d2 * std::sqrt(d2)), 1e-4,
+                   "meter " + std::to_string(i));
     }
   }
 }

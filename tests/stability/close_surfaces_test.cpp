@@ -3,7 +3,7 @@
 #include "../analytic/ies_text.h"
 #include "../support/expect_same.h"
 #include "../support/scene_warnings.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {
@@ -70,8 +70,7 @@ TEST(Taught, GlassThatStandsOnAFloorLetsNothingThrough) {
       EXPECT_GT(sunk, 90) << method_name(method);
       for (const bool glass_first : {true, false}) {
         const float on = read(0, glass_first, far_off, method);
-        measured("%g m off, %s: %+.2f %%", far_off, method_name(method), 100 * (double(on / sunk) - 1));
-        EXPECT_NEAR(on / sunk, 1, 0.005) << far_off << " m off, " << method_name(method);
+        expect_ratio(on, sunk, 0.005, short_number(far_off) + " m off, " + method_name(method));
       }
     }
 }
@@ -128,7 +127,7 @@ TEST(Taught, OpeningsUnderAFloorLightNothingAbove) {
         const std::string what = std::to_string(height) + " m high, " + method_name(method);
         const auto on = read(0, method), off = read(0.001, method);
         EXPECT_EQ(on[0].illuminance_lx, 0) << what;
-        EXPECT_NEAR(on[1].illuminance_lx / off[1].illuminance_lx, 1, 0.005) << what;
+        expect_ratio(on[1].illuminance_lx, off[1].illuminance_lx, 0.005, what);
       }
     }
 }
@@ -147,7 +146,7 @@ TEST(Taught, OpeningsRecessedInACeilingLightTheRoom) {
     return scene.render({.method = method, .iterations = 16, .light_paths = 1u << 13}).statistics(cell).mean_lx;
   };
   for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_LIGHT_TRACING, UPS_METHOD_UPS})
-    EXPECT_NEAR(read(0, method) / read(0.001, method), 1, 0.005) << method_name(method);
+    expect_ratio(read(0, method), read(0.001, method), 0.005, method_name(method));
 }
 
 // A luminous box that stands on a slab lights nothing in it.

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "../support/scene_builder.h"
-#include "full.h"
+#include "../support/figures.h"
 
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ TEST(Hazard02, ScenesOfExtremesGiveFiniteReadings) {
       EXPECT_EQ(what.find(ups_status_name(UPS_ERROR_INTERNAL)), std::string::npos) << "case " << i << ": " << what;
     }
   }
-  std::printf("  %zu of %u scenes rendered, %.3g rays\n", rendered, cases, double(rays));
+  measured("%zu of %u scenes rendered, %.3g rays", rendered, cases, double(rays));
   EXPECT_GT(rendered, cases / 2);
   EXPECT_TRUE(!full() || rays > 30'000'000) << rays;
 }

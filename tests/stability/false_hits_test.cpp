@@ -4,7 +4,7 @@
 #include <random>
 
 #include "../geometry/rig.h"
-#include "full.h"
+#include "../support/figures.h"
 
 namespace ups {
 namespace {
@@ -52,6 +52,7 @@ TEST(Hazard09, RaysAlongAThinTriangleStayOnIt) {
       EXPECT_LT(hit.t, 4.0f);
     }
   }
+  test::measured("%d hits, none farther from their triangle than it is long", hits);
   EXPECT_GT(hits, 100);
 }
 
@@ -92,6 +93,7 @@ TEST(Hazard09, RaysNearlyWithinASkinnyTriangleMissItWhereTheyDo) {
       ASSERT_FALSE(rig.tracer->occluded(o, d, infinity));
     }
   }
+  test::measured("%zu hits, none beside the triangle; %zu rays missed it", hits, misses);
   EXPECT_GT(hits, 5000u);
   EXPECT_GT(misses, 50000u);
 }
@@ -115,6 +117,7 @@ TEST(Hazard09, AHugeBlockIsHitOnItsTop) {
       ASSERT_NEAR(hit.t * -d.z, 500, 0.01 + 500 * double(point.error)) << half;
       ASSERT_FALSE(rig.tracer->occluded(o, d, 490 / -d.z)) << half;
     }
+    test::measured("half as wide as %g: all hits on top", double(half));
   }
 }
 

@@ -9,9 +9,7 @@ namespace {
 // Readings in closed form within 0.5 %, their standard errors at most 0.1 %: errors of 1 % are found with certainty, of
 // 0.6 % in five cases of six; a false alarm takes 5 standard errors, P(|t_15| > 5) = 1.6e-4 where one is at its limit.
 void expect_close(const ups_meter_reading& r, double expected, const std::string& what) {
-  EXPECT_GE(r.standard_error_lx, 0) << what;
-  EXPECT_LE(r.standard_error_lx, 0.001 * expected) << what << ": too noisy to judge " << r.illuminance_lx;
-  EXPECT_NEAR(r.illuminance_lx, expected, 0.005 * expected) << what << " +- " << r.standard_error_lx;
+  expect_within(r.illuminance_lx, r.standard_error_lx, expected, 0.005, 0.001, what);
 }
 
 // A spot 1 cm above the plane of a floor that begins at 4 m and ends at 9 m from it: 89.86 to 89.94 degrees. The beam

@@ -2,6 +2,7 @@
 // Meters' discs, against integer arithmetic. Panes: shared_edges_test.cpp.
 #include <gtest/gtest.h>
 
+#include "../support/figures.h"
 #include "geometry/raytracer.h"
 
 namespace ups {
@@ -49,6 +50,7 @@ TEST(Hazard10, RaysAlongTheGridCountEachDiscOnce) {
           for (size_t k = 0; k < found.size(); ++k) ASSERT_EQ(found[k].disc, expected[k]);
           crossings += found.size();
         }
+      test::measured("axis %d, sign %g: %zu crossings, each once; %zu on rims", axis, double(sign), crossings, on_rims);
       EXPECT_GT(crossings, 15000u);
       EXPECT_GT(on_rims, 1600u);
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "../support/expect_same.h"
-#include "full.h"
+#include "../support/full.h"
 
 namespace ups::test {
 namespace {

@@ -1,7 +1,7 @@
 // Lamps whose light eye paths hardly ever meet, where something else makes them look harmless: `auto` must take light
 // paths for them. Another lamp in view hides in the stated error what is missing.
 #include "../support/expect_same.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {

@@ -2,7 +2,7 @@
 // its light would be must not crowd out the lamps': in the choice of emitters, in that of images in mirrors, and in which
 // edges of a path get a shadow ray.
 #include "../support/expect_lx.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {

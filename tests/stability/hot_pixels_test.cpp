@@ -5,7 +5,7 @@
 
 #include "../support/expect_lx.h"
 #include "../support/image_mean.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {

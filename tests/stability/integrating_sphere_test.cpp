@@ -12,7 +12,7 @@
 //
 // One number decides how long a path gets (PathSampler::roulette): lengths are stratified, which leaves little noise.
 #include "../support/expect_lx.h"
-#include "full.h"
+#include "../support/full.h"
 
 namespace ups::test {
 namespace {
@@ -52,17 +52,14 @@ struct Sphere {
     EXPECT_EQ(result.info().techniques, subset) << what;
     const auto s = result.statistics(meters);
     EXPECT_GT(s.mean_standard_error_lx, 0) << what;
-    EXPECT_LE(s.mean_standard_error_lx, largest_noise * balance) << what << ": too noisy to judge " << s.mean_lx;
-    EXPECT_NEAR(s.mean_lx, balance, tolerance * balance) << what << " +- " << s.mean_standard_error_lx;
-    std::printf("  %s: %+.3f +- %.3f %%, %u iterations, %.2g s\n", what.c_str(), 100 * (s.mean_lx / balance - 1),
-                100 * s.mean_standard_error_lx / balance, options.iterations, result.info().elapsed_s);
+    expect_within(s.mean_lx, s.mean_standard_error_lx, balance, tolerance, largest_noise, what);
   }
 };
 
 class Hazard12 : public ::testing::TestWithParam<int> {
  protected:
   void SetUp() override {
-    if (GetParam() != 50 && GetParam() != 95 && !full()) GTEST_SKIP() << "in the full form";
+    if (GetParam() != 50 && GetParam() != 95 && !full() && !low_effort()) GTEST_SKIP() << "in the full form";
   }
   // The fast form has no merging, and over cells only what emitter hits are a part of: the rest takes most of the time.
   // Over cells, what does not land there comes to the same as at points.
@@ -92,7 +89,7 @@ class Hazard12PointSource : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Reflectances, Hazard12PointSource, ::testing::Values(50, 90, 95, 98),
                          [](const auto& i) { return "rho_0" + std::to_string(i.param); });
 TEST_P(Hazard12PointSource, ReachesTheEnergyBalance) {
-  if (!full() && GetParam() > 90) GTEST_SKIP() << "in the full form";
+  if (!full() && !low_effort() && GetParam() > 90) GTEST_SKIP() << "in the full form";
   constexpr double flux_lm = 10000;
   const double rho = 0.01 * GetParam();
   const Shape wall = icosphere({0, 0, 0}, 1, 4);
@@ -106,11 +103,8 @@ TEST_P(Hazard12PointSource, ReachesTheEnergyBalance) {
     if (method == UPS_METHOD_BIDIRECTIONAL && GetParam() > 90) continue;  // nothing merges here: UPS gives the same bits
     const Result result = scene.render({.method = method, .iterations = 16, .light_paths = 1u << 11});
     const auto s = result.statistics(meters);
-    EXPECT_LE(s.mean_standard_error_lx, 0.0015 * expected) << method_name(method) << ": too noisy";
-    EXPECT_NEAR(s.mean_lx, expected, 0.005 * expected) << method_name(method) << " +- " << s.mean_standard_error_lx;
+    expect_within(s.mean_lx, s.mean_standard_error_lx, expected, 0.005, 0.0015, method_name(method));
     EXPECT_NEAR(result.info().emitted_flux_lm, flux_lm, 1e-5 * flux_lm);
-    std::printf("  %s: %+.3f +- %.3f %%\n", method_name(method), 100 * (s.mean_lx / expected - 1),
-                100 * s.mean_standard_error_lx / expected);
   }
 }
 

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "../support/expect_same.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {

@@ -24,7 +24,7 @@ TEST(Hazard25, ANeedleOfATenthOfADegreeKeepsItsIlluminance) {
     ups_profile_info file{};
     file.struct_size = sizeof file;
     check(ups_profile_get_info(profile.get(), &file), "ups_profile_get_info");
-    EXPECT_NEAR(file.interpolated_flux_lm / file.rated_flux_lm, 1, 1e-3);
+    expect_ratio(file.interpolated_flux_lm, file.rated_flux_lm, 1e-3, "the file's lumens");
     scene.add_luminaire(profile.get(), {0, 0, 0}, down, false);
     const P3 side{0, 1, 0};
     std::vector<P3> at;
@@ -39,10 +39,11 @@ TEST(Hazard25, ANeedleOfATenthOfADegreeKeepsItsIlluminance) {
     const Sensor cells = scene.add_cells({down * d}, {down * -1}, {side}, cell, cell);
     for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING}) {
       const Result r = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 12});
-      EXPECT_NEAR(r.info().emitted_flux_lm / flux, 1, 1e-3);
+      expect_ratio(r.info().emitted_flux_lm, flux, 1e-3, "flux");
       const auto readings = r.readings(meters);
       for (size_t i = 0; i < at.size(); ++i)
-        EXPECT_NEAR(readings[i].illuminance_lx / expected[i], 1, 1e-3) << method_name(method) << ", meter " << i;
+        expect_ratio(readings[i].illuminance_lx, expected[i], 1e-3,
+                     std::string(method_name(method)) + ", meter " + std::to_string(i));
     }
     for (const ups_method method : cell_methods) {
       const auto r = scene.render({.method = method, .iterations = 256, .light_paths = 1u << 12}).readings(cells)[0];

@@ -8,7 +8,7 @@
 
 #include "../analytic/ies_text.h"
 #include "../support/expect_same.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {
@@ -139,7 +139,8 @@ TEST(Taught, MetersOnEdgesAndInCorners) {
     scene.add_spot(lamp, normalize(at - lamp), 100, 0.05, 0.052);
   const Sensor meters = scene.add_meters(known.at, known.normals);
   const auto exact = scene.render({.method = UPS_METHOD_UPS, .iterations = 16}).readings(meters);
-  for (size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(exact[i].illuminance_lx / known.lx[i], 1, 1e-4) << i;
+  for (size_t i = 0; i < exact.size(); ++i)
+    expect_ratio(exact[i].illuminance_lx, known.lx[i], 1e-4, "meter " + std::to_string(i));
   const Result photons = scene.render(
       {.method = UPS_METHOD_PPM, .iterations = 32, .merge_radius_m = 0.03, .light_paths = 1u << 16});
   judge(photons, meters, known, "edges and corners", widest[0], false);
@@ -287,8 +288,8 @@ TEST(Taught, OpeningsOf600MicrometresAreAsPoints) {
     for (const ups_method method : eye_methods) {
       const auto r = scene.render({.method = method, .iterations = 64, .light_paths = 1u << 12}).readings(meters);
       for (size_t i = 0; i < at.size(); ++i) {
-        EXPECT_NEAR(r[i].illuminance_lx / expected[i], 1, 1e-3) << opening << method_name(method) << ", meter " << i;
-        EXPECT_LE(r[i].standard_error_lx, 2e-4 * expected[i]) << opening << method_name(method) << ", meter " << i;
+        expect_within(r[i].illuminance_lx, r[i].standard_error_lx, expected[i], 1e-3, 2e-4,
+                      opening + (method_name(method) + (", meter " + std::to_string(i))));
       }
     }
   }

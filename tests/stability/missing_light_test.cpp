@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "../support/expect_same.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {

@@ -185,7 +185,8 @@ TEST(Taught, NestedMediaRoughGlassCountsItsIndexAgainstWhatIsAroundIt) {
        {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING, UPS_METHOD_SPPM}) {
     const auto in_air = read(false, method), immersed = read(true, method);
     for (size_t i = 0; i < in_air.size(); ++i)  // from the same random numbers
-      EXPECT_NEAR(immersed[i].illuminance_lx / in_air[i].illuminance_lx, 1, 1e-3) << method_name(method) << " " << i;
+      expect_ratio(immersed[i].illuminance_lx, in_air[i].illuminance_lx, 1e-3,
+                   std::string(method_name(method)) + " " + std::to_string(i));
   }
 }
 

@@ -58,7 +58,7 @@ void expect_layers(const std::vector<Block>& blocks, const std::vector<Layer>& l
 // The same media in other solids: from the same random numbers.
 void expect_alike(const std::vector<Block>& blocks, const std::vector<Block>& others, double angle_rad,
                   const std::string& what) {
-  EXPECT_NEAR(below(others, angle_rad, 8).illuminance_lx / below(blocks, angle_rad, 8).illuminance_lx, 1, 1e-3) << what;
+  expect_ratio(below(others, angle_rad, 8).illuminance_lx, below(blocks, angle_rad, 8).illuminance_lx, 1e-3, what);
 }
 
 TEST(Taught, NestedMediaBlocksThatTouchHaveOneBoundary) {
@@ -106,8 +106,9 @@ TEST(Taught, NestedMediaABlockWithinTheSameGlassChangesNothing) {
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_SPPM}) {
     const ups_meter_reading alone = read({}, method);
     // The same random numbers: what is left are photons that rounding moves across the rim of the meter's disc.
-    EXPECT_NEAR(read({0.0}, method).illuminance_lx / alone.illuminance_lx, 1, 2e-4) << method_name(method);
-    EXPECT_NEAR(read({0.6}, method).illuminance_lx / alone.illuminance_lx, 1, 2e-4) << "rough, " << method_name(method);
+    for (const double roughness : {0.0, 0.6})
+      expect_ratio(read({roughness}, method).illuminance_lx, alone.illuminance_lx, 2e-4,
+                   method_name(method) + std::string(roughness > 0 ? ", rough" : ""));
   }
 }
 
@@ -163,10 +164,10 @@ TEST(Taught, NestedMediaLightPassesBoundariesBetweenEqualIndices) {
     const auto readings = scene.render({.method = method, .iterations = 32, .light_paths = 4096}).readings(meters);
     // One exact shadow ray each: there is no noise, and nothing else to be found.
     const double beside = intensity / 4 * std::exp(-1.5 * around - 0.5 * between);
-    EXPECT_NEAR(readings[0].illuminance_lx, beside, 1e-4 * beside) << method_name(method);
+    expect_ratio(readings[0].illuminance_lx, beside, 1e-4, method_name(method));
     const double d2 = 1 + 1.3 * 1.3, d = std::sqrt(d2), inside = 0.3 / 1.3 * d;
     const double through = intensity * 1.3 / (d2 * d) * std::exp(-(d - inside) * around - inside * between);
-    EXPECT_NEAR(readings[1].illuminance_lx, through, 1e-4 * through) << "inside, " << method_name(method);
+    expect_ratio(readings[1].illuminance_lx, through, 1e-4, method_name(method) + std::string(", inside"));
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include "../support/expect_lx.h"
 #include "../support/image_mean.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {
@@ -237,9 +237,9 @@ TEST(Taught, LightThroughAHundredPanes) {
   const Sensor below = tinted.add_meters({{0, 0, 0}, {0, 0, 0.995}}, {0, 0, 1});
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PATH_TRACING}) {
     const auto r = tinted.render({.method = method, .iterations = 16, .light_paths = 1024}).readings(below);
-    EXPECT_NEAR(r[0].illuminance_lx / (250 * std::pow(double(0.97f), 100)), 1, 1e-4) << method_name(method);
+    expect_ratio(r[0].illuminance_lx, 250 * std::pow(double(0.97f), 100), 1e-4, method_name(method));
     const double halfway = 1000 / (1.005 * 1.005) * std::pow(double(0.97f), 50);
-    EXPECT_NEAR(r[1].illuminance_lx / halfway, 1, 1e-4) << method_name(method);
+    expect_ratio(r[1].illuminance_lx, halfway, 1e-4, method_name(method) + std::string(", halfway"));
   }
   const double face = std::pow(0.1 / 2.1, 2), expected = source_lux * (1 - face) / (1 + (2 * panes - 1) * face);
   Scene clear;
@@ -289,7 +289,7 @@ TEST(Taught, LightThroughAPaneMeasuredByAngle) {
     const auto r = result.readings(below);
     for (size_t i = 0; i < r.size(); ++i) {
       const double a = halfway[i][0] * pi_d / 180, expected = 250 * halfway[i][1] * std::pow(std::cos(a), 3);
-      EXPECT_NEAR(r[i].illuminance_lx / expected, 1, 1e-4) << method_name(method) << " " << halfway[i][0];
+      expect_ratio(r[i].illuminance_lx, expected, 1e-4, method_name(method) + (" " + short_number(halfway[i][0])));
     }
     if (method == UPS_METHOD_PATH_TRACING) continue;  // finds no point in a mirror
     for (size_t k = 0; k < 2; ++k)

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "../support/figures.h"
 #include "base/rng.h"
 #include "transport/photon_index.h"
 
@@ -27,6 +28,8 @@ void compare(const std::vector<StoredPhoton>& photons, float radius, const std::
     ASSERT_EQ(found, expected);
     found_any += found.size();
   }
+  test::measured("%zu queries among %zu photons: the sets of brute force, %zu in all", queries.size(), photons.size(),
+                 found_any);
   EXPECT_GT(found_any, 0u);
 }
 

@@ -14,7 +14,7 @@
 #include "base/floating_point.h"
 #include "emitter/area.h"
 #include "emitter/point.h"
-#include "full.h"
+#include "../support/figures.h"
 #include "transport/integrator.h"
 
 namespace ups {
@@ -280,7 +280,7 @@ TEST(Hazard02, NothingThatIsNotFiniteComesOutOfAPoisonedScene) {
     with_drops += std::accumulate(drops.begin(), drops.end(), uint64_t(0)) > 0;
     ASSERT_FALSE(::testing::Test::HasFailure()) << "case " << i;
   }
-  std::printf("  %u scenes, samples dropped in %zu\n", cases, with_drops);
+  test::measured("%u scenes, samples dropped in %zu", cases, with_drops);
   EXPECT_GT(with_drops, 0u);
 }
 

@@ -6,7 +6,7 @@
 
 #include "../support/expect_same.h"
 #include "../support/fresnel.h"
-#include "full.h"
+#include "../support/full.h"
 
 namespace ups::test {
 namespace {

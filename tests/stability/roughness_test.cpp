@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../bsdf/directional_albedo.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {
@@ -27,7 +28,7 @@ TEST(Hazard04, LosslessMaterialsReturnAllLightAtEveryRoughness) {
   for (const float ior : {1.5f, 2.2f}) expect_one(MaterialModel::plastic, ior, false);
   for (const float ior : {1.33f, 1.5f, 2.42f})
     for (const bool from_inside : {false, true}) expect_one(MaterialModel::glass, ior, from_inside);
-  std::printf("  largest difference from 1: %.4f\n", worst);
+  measured("largest difference from 1: %.4f", worst);
 }
 
 // Below min_alpha lobes become delta lobes; nobody must see where. Of rougher ones albedo changes in truth.
@@ -50,7 +51,7 @@ TEST(Hazard04, AlbedoIsContinuousInRoughness) {
         before = now;
       }
     }
-  std::printf("  largest step %.4f\n", worst);
+  measured("largest step of albedo %.4f", worst);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "../oracle/replay_room.h"
+#include "../support/figures.h"
 #include "transport/direct_light.h"
 #include "transport/eye_pass.h"
 #include "transport/integrator.h"
@@ -116,10 +117,10 @@ TEST(Hazard13, NoPathOfALongCorridorBringsMoreThanOneSampleOfTheLamp) {
   for (const double v : found.of_path) mean += v / double(found.of_path.size()), largest = std::max(largest, v);
   for (const double v : found.of_path) second += std::pow(v - mean, 2), fourth += std::pow(v - mean, 4);
   const double kurtosis = fourth / (second * second) * double(found.of_path.size());
-  std::printf("  %zu paths of up to %u edges, mean %.4g lx, largest of a path %.3g means, kurtosis %.3g; largest "
-              "contribution %.3g of %.3g lx, of more than 8 edges %.3g\n",
-              found.of_path.size(), found.longest, mean, largest / mean, kurtosis, found.largest, most,
-              found.largest_of_long);
+  test::measured("%zu paths of up to %u edges, mean %.4g lx, largest of a path %.3g means, kurtosis %.3g; largest "
+                 "contribution %.3g of %.3g lx, of more than 8 edges %.3g",
+                 found.of_path.size(), found.longest, mean, largest / mean, kurtosis, found.largest, most,
+                 found.largest_of_long);
   EXPECT_LT(largest, 50 * mean);
   EXPECT_LT(kurtosis, 50);
 }

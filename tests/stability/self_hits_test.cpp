@@ -5,7 +5,7 @@
 
 #include "../geometry/rig.h"
 #include "base/warp.h"
-#include "full.h"
+#include "../support/figures.h"
 
 namespace ups {
 namespace {
@@ -56,6 +56,8 @@ Leaks walk_in_room(const Raytracer& tracer, const Vec3& start, size_t count, uin
 // None among n says, at 95 %, that fewer than 3 / n do: 7.5e-6 for a room of the fast form, 3e-8 of the full one.
 void expect_tight(const Rig& rig, const Vec3& start, size_t in_full = 100'000'000) {
   const Leaks leaks = walk_in_room(*rig.tracer, start, test::fast_or_full<size_t>(400'000, in_full), 11);
+  test::measured("%zu rays: %zu escaped, %zu hit their own surface, %zu blocked", leaks.rays, leaks.escaped,
+                 leaks.self_hits, leaks.blocked);
   EXPECT_EQ(leaks.escaped, 0u);
   EXPECT_EQ(leaks.self_hits, 0u);
   EXPECT_EQ(leaks.blocked, 0u);

@@ -7,7 +7,7 @@
 // standard errors of at most 0.118 %, so that all pairs are within 0.5 %, as the acceptance asks for. Images have their
 // errors from eight seeds: P(|t_14| > 3) = 1 % for a pair at its limit.
 #include "bumpy_sphere.h"
-#include "full.h"
+#include "../support/full.h"
 
 namespace ups::test {
 namespace {

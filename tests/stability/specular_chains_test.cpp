@@ -12,7 +12,7 @@
 #include <functional>
 
 #include "../support/expect_same.h"
-#include "full.h"
+#include "../support/full.h"
 
 namespace ups::test {
 namespace {
@@ -36,11 +36,7 @@ double through_duct(const P3& at, const std::function<double(double)>& r, double
 }
 
 void expect_close(double value, double standard_error, double expected, const std::string& what) {
-  EXPECT_GE(standard_error, 0) << what;
-  EXPECT_LE(standard_error, 0.0015 * expected) << what << ": too noisy to judge " << value;
-  EXPECT_NEAR(value, expected, 0.005 * expected) << what << " +- " << standard_error;
-  std::printf("  %s: %.5g +- %.2g lx, expected %.5g (%+.2f %%)\n", what.c_str(), value, standard_error, expected,
-              100 * (value / expected - 1));
+  expect_within(value, standard_error, expected, 0.005, 0.0015, what);
 }
 
 // The walls' inside, open at both ends.

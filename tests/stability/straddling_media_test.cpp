@@ -1,7 +1,7 @@
 // What is in several media at once: emitters of one mesh that lie in water and in air, cells that a water's surface
 // crosses. Each place has its own medium, by light paths and by eye paths.
 #include "../support/expect_same.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {

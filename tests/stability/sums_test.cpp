@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "../support/figures.h"
 #include "render/image_sums.h"
 #include "render/meter_sums.h"
 
@@ -25,6 +26,7 @@ double relative_error(double mean) { return std::abs(mean / mean_term(additions)
 TEST(Hazard27, TenMillionAdditionsToAMeterKeepNineDigits) {
   MeterSums sums;
   for (uint32_t i = 0; i < additions; ++i) sums.add(i % batch_count, MeterTally::of_path(term(i), term(i), 0), i);
+  test::measured("off by %.1e", relative_error(spread(sums.value, additions).mean));
   EXPECT_LE(relative_error(spread(sums.value, additions).mean), 1e-9);
   EXPECT_LE(relative_error(spread(sums.direct, additions).mean), 1e-9);
   EXPECT_LE(spread(sums.value, additions).standard_error, 1e-9);
@@ -41,6 +43,7 @@ TEST(Hazard27, TenMillionPhotonsOnADiscKeepNineDigits) {
   double mean = 0, direct = 0;
   for (uint32_t b = 0; b < batch_count; ++b) mean += p.value[b], direct += p.direct[b];
   const double expected = 1 / 3.14159265358979323846;
+  test::measured("off by %.1e", relative_error(mean / additions / expected));
   EXPECT_LE(relative_error(mean / additions / expected), 1e-9);
   EXPECT_LE(relative_error(direct / additions / expected), 1e-9);
   EXPECT_EQ(p.paths.count, additions);
@@ -62,6 +65,8 @@ TEST(Hazard27, AMillionAdditionsToAPixel) {
     sums.add(i, tally, 0);
   }
   const ImageReading image = sums.read(million, 0);
+  test::measured("off by %.1e; stated standard error %.1e", std::abs(image.luminance_rgb[7 * 3] - mean_term(million)),
+                 double(image.standard_error_rgb[7 * 3]));
   EXPECT_NEAR(image.luminance_rgb[7 * 3], mean_term(million), 1.2e-7);
   EXPECT_GE(image.standard_error_rgb[7 * 3], 0);
   EXPECT_LE(image.standard_error_rgb[7 * 3], 1e-4);

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "../support/expect_lx.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {
@@ -103,7 +103,7 @@ TEST(Hazard18, MetersBesideAThinWallHaveTheirOwnLightAlone) {
     const Sensor dark = scene.add_meters({p}, {0, 0, 1}), bright = scene.add_meters({{0.02, 5, 0.75}}, {0, 0, 1});
     const Result result = scene.render({.method = UPS_METHOD_UPS, .iterations = 16, .light_paths = 1u << 13});
     const double truth = to.z / std::pow(dot(to, to), 1.5);
-    EXPECT_NEAR(result.readings(dark)[0].illuminance_lx, truth, 1e-5 * truth) << distance;
+    expect_ratio(result.readings(dark)[0].illuminance_lx, truth, 1e-5, short_number(distance) + " m behind");
     EXPECT_GT(result.readings(bright)[0].indirect_lx, 5) << "there is nothing to leak";
   }
 }

@@ -14,9 +14,7 @@ namespace {
 constexpr double tolerance = 0.005, largest_noise = 0.001;
 
 void expect_close(const ups_meter_reading& r, double expected, const std::string& what) {
-  EXPECT_GE(r.standard_error_lx, 0) << what;
-  EXPECT_LE(r.standard_error_lx, largest_noise * expected) << what << ": too noisy to judge " << r.illuminance_lx;
-  EXPECT_NEAR(r.illuminance_lx, expected, tolerance * expected) << what << " +- " << r.standard_error_lx;
+  expect_within(r.illuminance_lx, r.standard_error_lx, expected, tolerance, largest_noise, what);
 }
 
 class Hazard03 : public ::testing::TestWithParam<double> {

@@ -4,7 +4,7 @@
 #include "../analytic/ies_text.h"
 #include "../support/expect_lx.h"
 #include "../support/scene_warnings.h"
-#include "measured.h"
+#include "../support/figures.h"
 
 namespace ups::test {
 namespace {
@@ -99,7 +99,7 @@ void expect_air(Source source) {
     expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, 0.0016, what);
     const double touching = read(0, 4).mean_lx;
     for (const double gap : {1e-9, 1e-7, 1e-6, 5e-6, 1e-5, 1e-4})
-      EXPECT_NEAR(read(gap, 4).mean_lx / touching, 1, 1e-3) << what << ", gap " << gap;
+      expect_ratio(read(gap, 4).mean_lx, touching, 1e-3, what + (", gap " + short_number(gap)));
   }
 }
 

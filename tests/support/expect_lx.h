@@ -13,6 +13,7 @@
 #include <cmath>
 #include <string>
 
+#include "figures.h"
 #include "scene_builder.h"
 
 namespace ups::test {
@@ -62,6 +63,7 @@ inline OneOf one_of(double largest_relative_error) { return {largest_relative_er
 
 inline void expect_lx(double value, double standard_error, double expected, const OneOf& noise,
                       const std::string& what) {
+  compared(value, expected, standard_error, what);
   EXPECT_GE(standard_error, 0) << what << ": no standard error";
   EXPECT_LE(standard_error, noise.largest_relative_error * expected) << what << ": too noisy to judge " << value;
   EXPECT_LE(std::abs(value - expected), std::max(relative_tolerance * expected, sigmas * standard_error))
@@ -81,6 +83,7 @@ void expect_lx(const ups_meter_reading& r, double expected, const Noise& noise, 
 // something. error_bound is a 95 % statement; twice that is beyond 4 standard errors.
 inline void expect_inside_bound(const ups_meter_reading& r, double expected, double largest_relative_bound,
                                 const std::string& what) {
+  compared(r.illuminance_lx, expected, r.standard_error_lx, what);
   EXPECT_GT(r.error_bound_lx, 0) << what;
   EXPECT_LE(r.error_bound_lx, largest_relative_bound * expected)
       << what << ": bound too wide, read " << r.illuminance_lx;

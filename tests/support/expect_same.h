@@ -28,6 +28,7 @@ struct Estimate {
 
 inline void expect_pair(const Estimate& a, const Estimate& b, const std::string& what, const Limits& limits = usual) {
   const double s = std::hypot(a.standard_error, b.standard_error), difference = a.mean - b.mean;
+  compared(a.mean, b.mean, s, what + ", " + a.name + " and " + b.name);
   EXPECT_LE(std::abs(difference), std::max(limits.difference * std::abs(b.mean), limits.sigmas * s))
       << what << ", " << a.name << " and " << b.name << ": " << a.mean << " and " << b.mean << " lx (" << std::showpos
       << 100 * difference / b.mean << " %, " << difference / s << " standard errors)";

@@ -44,7 +44,7 @@ class Result {
       if (s.count > 0)
         readings(s);
       else if (s.planes > 0)
-        intensities(s);
+        intensities(s), goniometer_info(s);
       else
         image(s);
     }
@@ -109,8 +109,9 @@ class Result {
     r.struct_size = sizeof r;
     check(ups_result_get_observer(result_.get(), eye.id, &r), "ups_result_get_observer");
     require_finite({r.ugr, r.ugr_standard_error, r.ugr_low, r.background_cd_m2,
-                    r.background_standard_error_cd_m2, r.background_error_bound_cd_m2}, "observer");
-    if (std::isnan(r.ugr_high)) throw std::runtime_error("no number: ugr_high");
+                    r.background_standard_error_cd_m2, r.background_error_bound_cd_m2, r.ceiling_coverage, r.ggr,
+                    r.ggr_low}, "observer");
+    if (std::isnan(r.ugr_high) || std::isnan(r.ggr_high)) throw std::runtime_error("no number: end of a glare rating");
     return r;
   }
   std::vector<ups_glare_source> glare_sources(const Sensor& eye) const {
@@ -160,6 +161,9 @@ class Result {
     ups_goniometer_info i{};
     i.struct_size = sizeof i;
     check(ups_result_get_goniometer_info(result_.get(), goniometer.id, &i), "ups_result_get_goniometer_info");
+    require_finite({i.flux_lm, i.flux_standard_error_lm, i.outside_flux_lm, i.emitted_flux_lm, i.absorbed_flux_lm,
+                    i.light_output_ratio, i.light_output_ratio_standard_error, i.worst_relative_error_bound,
+                    i.median_relative_error_bound}, "goniometer info");
     return i;
   }
   std::unique_ptr<ups_profile, decltype(&ups_profile_destroy)> goniometer_profile(const Sensor& goniometer) const {
@@ -173,6 +177,7 @@ class Result {
     b.struct_size = sizeof b;
     check(ups_result_get_goniometer_beam(result_.get(), goniometer.id, c_deg, fraction, &b),
           "ups_result_get_goniometer_beam");
+    require_finite({b.angle_deg, b.standard_error_deg, b.bias_deg, b.low_deg, b.high_deg}, "beam");
     return b;
   }
   ups_meter_statistics statistics(const Sensor& meters) const {
@@ -233,6 +238,7 @@ class Result {
     std::vector<ups_sample> all(count);
     check(ups_result_read_largest_samples(result_.get(), s.id, all.data(), count, &count),
           "ups_result_read_largest_samples");
+    for (const ups_sample& sample : all) require_finite({sample.value, sample.share}, "largest sample");
     return all;
   }
   std::string text(ups_result_text topic) const {

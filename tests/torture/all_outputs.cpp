@@ -75,6 +75,7 @@ void read_all_outputs(Scene& scene, const Sensor& meters, RenderOptions options)
   }
   result.glare_sources(eye, result.open_ended_observer(eye).source_count);
   read_camera(result, camera);
+  for (const Sensor& sensor : {camera, sets[0]}) result.largest_samples(sensor);
   read_curve(result);
 }
 

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "../stability/full.h"
+#include "../support/full.h"
 #include "../support/expect_lx.h"
 
 namespace ups::test {

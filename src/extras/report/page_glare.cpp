@@ -51,7 +51,8 @@ std::string remarks(const Report& report) {
   const std::pair<uint32_t, const char*> all[] = {
       {UPS_OBSERVER_LARGE_SOURCE, "A source of more than 0.1 sr is in view, for which UGR is too low (CIE 147)"},
       {UPS_OBSERVER_POINT_SOURCE, "A source without extent is in view, rated as a small one (CIE 147)"},
-      {UPS_OBSERVER_UNRATED_SOURCE, "A directional light or the rays of a file are in no rating"},
+      {UPS_OBSERVER_UNRATED_SOURCE,
+       "A directional light, the rays of a file or light beyond what numbers hold are in no rating"},
       {UPS_OBSERVER_FIXTURE,
        "A fixture is in view, whose own reflectors, lenses and covers count as background: the rating is too low"},
       {UPS_OBSERVER_COVERED_SOURCE,
