@@ -105,6 +105,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
     Drop drop;
     double share;
     double size;  // lx or cd/m^2 that it brings if it is free
+    double part;  // that, over the flux of its source; 0 where sources are not told apart
     bool far;     // to a directional emitter
   };
   static std::vector<WaitingEdge>& kept_edges();
@@ -112,9 +113,10 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   static std::vector<Column>& kept_columns();
   // Adds it up, or where it makes an edge keeps it until the path's end; `share` of it was chosen to stand for the whole.
   void offer(const Contribution& c, Drop drop, double share = 1);
+  double part_of_source(uint32_t emitter, double size) const;
   Vec3 place_of(const Contribution& c) const { return c.media ? c.from : last_met(); }
   void test_edges();  // of those kept
-  double size_of_certain_edges(bool far, int rays) const;
+  double size_of_certain_edges(bool far, int rays, double WaitingEdge::*size) const;
   void test_edge(const Contribution& c, Drop drop, double share);
   void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop);
   void keep_separated(uint32_t emitter, double lx, double direct, double bias);
