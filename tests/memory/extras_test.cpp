@@ -245,7 +245,7 @@ class MemoryOfReports : public MemoryOfExtras {
 };
 
 TEST_F(MemoryOfReports, MapAsSvg) {
-  try_map("map.svg", [&](const Call& call, const std::string& path) { sweep(call, &ups_report_last_error, 10, path); });
+  try_map("map.svg", [&](const Call& call, const std::string& path) { limit(call, &ups_report_last_error, path); });
 }
 TEST_F(MemoryOfReports, MapAsPng) {
   try_map("map.png", [&](const Call& call, const std::string& path) { limit(call, &ups_report_last_error, path); });
@@ -265,7 +265,7 @@ TEST_F(MemoryOfReports, Page) {
   desc.scene = room.scene.get(), desc.result = result, desc.sensors = sensors, desc.sensor_count = 2;
   desc.date = "today";
   const std::string path = file("page.html");
-  sweep([&] { return ups_report_write_page(path.c_str(), &desc); }, &ups_report_last_error, 30, path);
+  limit([&] { return ups_report_write_page(path.c_str(), &desc); }, &ups_report_last_error, path);
 }
 #endif
 
