@@ -67,19 +67,19 @@ inline void compared(double value, double expected, double standard_error, const
     Comparisons::of_test().add(value / expected - 1, standard_error / std::abs(expected), what);
 }
 
-// Without noise: to within `tolerance` of what is expected.
-inline void expect_ratio(double value, double expected, double tolerance, const std::string& what) {
+// Without noise: to within `allowed` of what is expected.
+inline void expect_ratio(double value, double expected, double allowed, const std::string& what) {
   compared(value, expected, 0, what);
-  EXPECT_NEAR(value / expected, 1, tolerance) << what << ": " << value << ", expected " << expected;
+  EXPECT_NEAR(value / expected, 1, allowed) << what << ": " << value << ", expected " << expected;
 }
 
-// To within `tolerance` whatever the noise is, which is limited; both relative.
-inline void expect_within(double value, double standard_error, double expected, double tolerance, double largest_noise,
+// To within `allowed` whatever the noise is, which is limited; both relative.
+inline void expect_within(double value, double standard_error, double expected, double allowed, double most_noise,
                           const std::string& what) {
   compared(value, expected, standard_error, what);
   EXPECT_GE(standard_error, 0) << what;
-  EXPECT_LE(standard_error, largest_noise * expected) << what << ": too noisy to judge " << value;
-  EXPECT_NEAR(value, expected, tolerance * expected) << what << " +- " << standard_error;
+  EXPECT_LE(standard_error, most_noise * expected) << what << ": too noisy to judge " << value;
+  EXPECT_NEAR(value, expected, allowed * expected) << what << " +- " << standard_error;
 }
 
 }  // namespace ups::test
