@@ -189,9 +189,10 @@ TEST_P(ReplayedSamples, BringWhatTheyBroughtBefore) {
       EXPECT_LT(c.walk, info.walks);
     }
     // What is not told in full, with the vertices of its light path, is a hundredth at most.
+    const size_t told = told_in_full(path.text());
     double untold = 0;
     for (size_t i = 0; i < contributions.size(); ++i)
-      if (i >= told_in_full(path.text()) || (contributions[i].light_path != UINT32_MAX && contributions[i].walk == 0))
+      if (i >= told || (contributions[i].light_path != UINT32_MAX && contributions[i].walk == 0))
         untold += contributions[i].value;
     EXPECT_LE(untold, 0.0101 * sum) << path.text();
     most_walks = std::max(most_walks, info.walks);
