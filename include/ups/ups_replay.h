@@ -42,7 +42,7 @@ UPS_API void ups_path_destroy(ups_path *path); /* NULL ok */
 typedef struct ups_path_info {
   uint32_t struct_size;
   uint32_t walks;     /* 1, and the light paths that its contributions were joined to, of the largest ones that make up
-                       * 99 % of it, twelve at least */
+                       * 99 % of it, twelve at least and 1024 at most */
   /* lx, cd/m^2: the value of the sample. Of a light path the largest of its contributions, as it may bring several; of a
    * point meter's disc that of the whole disc, of which the reading may have taken the middle */
   double value;
@@ -95,7 +95,7 @@ UPS_API ups_status ups_path_read_vertices(const ups_path *path, ups_path_vertex 
 UPS_API ups_status ups_path_read_contributions(const ups_path *path, ups_path_contribution *contributions,
                                                size_t capacity, size_t *needed);
 /* All that is known of the path, for people: a line a vertex, and the contributions that make up 99 % of it, twelve at
- * least, with their weights and densities. Two calls: text NULL and capacity 0 give *needed (with the final zero), then
+ * least and 1024 at most, with their weights and densities. Two calls: text NULL and capacity 0 give *needed (with the final zero), then
  * the text. */
 UPS_API ups_status ups_path_get_text(const ups_path *path, char *text, size_t capacity, size_t *needed);
 

@@ -50,7 +50,7 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     const size_t s = rings_.size();
     const uint32_t rings = plan.lands_on(s) ? plan.meter_discs[s].ring_count() : 0;
     rings_.emplace_back(rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0, rings,
-                        plan.merges_direct_light());
+                        plan.merges_direct_light(), plan.seeks_caustics);
     discs_that_meet_.push_back(rings ? plan.meter_discs[s].most_that_meet(set.meters) : 1);
   }
   for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "render/spread.h"
+#include "render/zero_bound.h"
 
 namespace ups {
 
@@ -17,6 +18,7 @@ constexpr uint32_t quarter = 4;        // rings, to a quarter of the radius
 // Standard deviations. A disc that is left by chance costs a reading most of its photons, and the narrower one is just
 // the one that chance has most to do with; and photons are not quite as random as Poisson's. A bound only widens.
 constexpr double beyond_doubt = 6, likely = 4;
+constexpr uint64_t few = 8;  // photons
 
 uint32_t visits_of(uint32_t batch, uint32_t visits) {
   return visits / batch_count + (batch < visits % batch_count);
@@ -79,6 +81,23 @@ struct MeterRings::Sums {
                           clump * (square[k] - square[narrower]) / (area[k] * area[k]);
     return std::max(0.0, d * d - times * noise2);
   }
+  // A least error bound of a disc's lx: what narrower ones say.
+  double narrower(const Rings& rings, double lx, uint32_t disc) const {
+    double bound = 0;
+    for (uint32_t k = rings.narrowest; k < disc; ++k)
+      if (differs(k, lx, likely) && (mean(k) < lx || double(count[k]) >= clump * few))
+        bound = std::max(bound, std::abs(mean(k) - lx) + std::sqrt(variance(k)));
+    return bound;
+  }
+  // Few photons lie closer together than spread over the widest disc they would in 99 of 100 cases: what they may bring
+  // there, 95 %; 0 where they do not.
+  double crowded(const Rings& rings) const {
+    const uint64_t photons = count[max_ring];
+    if (photons == 0 || photons >= few) return 0;
+    const uint32_t k = first_with(photons, rings);
+    if (std::pow(area[k] / area[max_ring], double(photons)) > 0.01) return 0;
+    return mean(k) * (1 + poisson_excess(double(photons)) / double(photons));
+  }
   // The last before one from which a narrower one differs.
   uint32_t widest(const Rings& rings) const {
     for (uint32_t k = first_with(least_photons, rings); k < max_ring; ++k)
@@ -100,10 +119,10 @@ struct MeterRings::Sums {
   }
 };
 
-MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct)
+MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct, bool caustics)
     : rings_(rings), flux_(rows * batch_count * rings), direct_(direct ? flux_.size() : 0),
       square_(rows * halves * rings), count_(rows * halves * rings), lean_(rows * rings * 2),
-      largest_(rows * rings), caustics_(rows) {}
+      largest_(rows * rings), caustics_(caustics ? rows * rings : 0) {}
 
 void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t iteration) {
   const size_t of_half = (row * halves + batch % halves) * rings_ + l.ring;
@@ -111,7 +130,11 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t
   flux_[of_batch] += l.lm;
   square_[of_half] += l.lm * l.lm;
   count_up(count_[of_half], 1);
-  caustics_[row] += l.caustic;
+  if (l.caustic && !caustics_.empty()) {
+    Caustic& c = caustics_[of_row];
+    c.lm += l.lm, c.lm2 += l.lm * l.lm;
+    count_up(c.photons, 1);
+  }
   // The mean direction over an octant: between pi/8 and its neighbours' edges, sin(pi/8) / (pi/8) long.
   const double near = 0.9003163, off = 0.3729232;
   const double s = l.octant & 1 ? off : near, t = l.octant & 1 ? near : off;
@@ -275,10 +298,26 @@ RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits)
   return p;
 }
 
+// A caustic may be far narrower than the disc that serves all light best, whose noise hides that it is.
+MeterRings::Sums MeterRings::caustics_of(size_t row, const Rings& rings, uint32_t visits) const {
+  Sums s{};
+  s.clump = 1;
+  s.max_ring = rings.count - 1;
+  for (uint32_t k = 0; k < rings.count; ++k) {
+    const Caustic ring = caustics_.empty() ? Caustic{} : caustics_[row * rings_ + k];
+    const auto before = [&](const auto& sums) { return k > 0 ? sums[k - 1] : 0; };
+    s.area[k] = before(s.area) + rings.area[k];
+    s.flux[k] = before(s.flux) + ring.lm / visits;
+    s.square[k] = before(s.square) + ring.lm2 / (double(visits) * visits);
+    s.count[k] = before(s.count) + ring.photons;
+  }
+  return s;
+}
+
 MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {
   Photons p;
-  p.caustics = caustics_[row];
-  const Sums s = whole(row, rings, visits).sums;
+  const Sums s = whole(row, rings, visits).sums, caustics = caustics_of(row, rings, visits);
+  p.caustics = uint32_t(std::min<uint64_t>(caustics.count[rings.count - 1], UINT32_MAX));
   if (s.count[rings.count - 1] == 0) return p;
   p.halves_differ = choice[0] != choice[1];
   p.widest = s.area[std::min(choice[0], choice[1])] == s.area[rings.count - 1];
@@ -316,14 +355,15 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   p.bias_scale = share * s.bias_scale[choice[0]] + (1 - share) * s.bias_scale[choice[1]];
 
   const double t = t_quantile(std::max(visits, min_batches));
-  constexpr uint64_t few = 8;
-  const uint32_t outermost = rings.count - 1, widest = std::max(choice[0], choice[1]);
-  for (uint32_t k = rings.narrowest; k < widest; ++k)
-    if (s.differs(k, p.lx, likely) && (s.mean(k) < p.lx || double(s.count[k]) >= s.clump * few))
-      p.narrower = std::max(p.narrower, std::abs(s.mean(k) - p.lx) + std::sqrt(s.variance(k)));
+  const uint32_t widest = std::max(choice[0], choice[1]), outermost = rings.count - 1;
+  p.narrower = s.narrower(rings, p.lx, widest);
   if (const double all = double(s.count[outermost]) / s.clump; all < 2 * few) {
     const double mean = s.mean(s.first_with(std::min(few, s.count[outermost]), rings));
     p.narrower = std::max(p.narrower, mean * (1 + 2 * t / std::sqrt(all)));
+  }
+  if (p.caustics > 0) {
+    const double lx = share * caustics.mean(choice[0]) + (1 - share) * caustics.mean(choice[1]);
+    p.narrower = std::max({p.narrower, caustics.narrower(rings, lx, widest), caustics.crowded(rings)});
   }
   return p;
 }

@@ -60,11 +60,12 @@ struct StepBias {
 
 class MeterRings {
  public:
-  // A row is a meter, or a column of one. direct: some light comes straight from emitters.
-  MeterRings(size_t rows, uint32_t rings, bool direct);
-  static double bytes_per_row(uint32_t rings, bool direct) {
+  // A row is a meter, or a column of one. direct: some light comes straight from emitters; caustics: some may come by way
+  // of casters alone.
+  MeterRings(size_t rows, uint32_t rings, bool direct, bool caustics = false);
+  static double bytes_per_row(uint32_t rings, bool direct, bool caustics) {
     return rings * (sizeof(double) * (batch_count + halves + 2 + (direct ? batch_count : 0)) +
-                    sizeof(uint32_t) * halves + sizeof(Largest)) + sizeof(uint32_t);
+                    sizeof(uint32_t) * halves + sizeof(Largest) + (caustics ? sizeof(Caustic) : 0));
   }
   bool empty() const { return flux_.empty(); }
   void add(size_t row, uint32_t batch, const MeterLanding& landing, uint32_t iteration);
@@ -102,7 +103,12 @@ class MeterRings {
     Sample photon;  // lm
     uint8_t batch = 0;
   };
+  struct Caustic {
+    double lm = 0, lm2 = 0;
+    uint32_t photons = 0;
+  };
   struct Sums;
+  Sums caustics_of(size_t row, const Rings& rings, uint32_t visits) const;
   Sums sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const;
   struct Dependence {
     std::array<double, max_rings> of_mean, of_bias;
@@ -124,7 +130,7 @@ class MeterRings {
   ZeroedVector<uint32_t> count_;        // the same
   ZeroedVector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
   ZeroedVector<Largest> largest_;       // a row by a ring
-  ZeroedVector<uint32_t> caustics_;     // a row: photons
+  ZeroedVector<Caustic> caustics_;      // the same; empty where none are sought
 };
 
 }  // namespace ups

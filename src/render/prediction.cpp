@@ -60,7 +60,7 @@ double MeterError::quantile_ratio(double factor) const {
 }
 
 // A point meter's disc knows no schedule of radii: chosen by least error, noise^2 ~ 1 / (n r^2) against bias^2 ~ r^4, it
-// has r^2 ~ n^(-1/3).
+// has r^2 ~ n^(-1/3). What the meter's own eye path merges farther on does know the schedule, and is foretold as the disc.
 constexpr double disc_alpha = 2.0 / 3;
 
 // The widest disc stays as long as a wider one would have less error, of noise^2 ~ 1 / r^2 and bias ~ r^2: while

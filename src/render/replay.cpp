@@ -170,9 +170,8 @@ class Teller {
   void contributions() {
     if (r_.contributions.empty()) return line("\nIt found no light.");
     const size_t told = r_.told;
-    line(told < r_.contributions.size() ? format("\nThe %zu largest of %zu contributions, of which the others bring less "
-                                                 "than %.3g %% together:",
-                                                 told, r_.contributions.size(), 100 * (1 - told_share))
+    line(told < r_.contributions.size() ? format("\nThe %zu largest of %zu contributions; the others bring %.2g %% together:",
+                                                 told, r_.contributions.size(), 100 * r_.untold_share)
                                         : format("\nContributions: %zu", r_.contributions.size()));
     for (size_t i = 0; i < r_.contributions.size(); ++i) {
       out_.contributions.push_back(contribution(r_.contributions[i]));

@@ -125,21 +125,31 @@ bool looks_alike(const Material& a, const Material& b) {
 }
 
 // Rays are aslant, each in its own way: of several that come straight down all would meet the same one of two planes.
-// As near as rounding decides: a quarter of what rays are lifted by. none: there is no such surface.
+// As near as rounding decides: a quarter of what rays are lifted by. none: there is no such surface, or one that faces the
+// other way covers both, as a floor covers the lower faces of what stands on it.
 uint32_t met_in_plane(const Snapshot& scene, uint32_t instance, const SurfacePoint& s) {
   constexpr float most_slant = 0.5f, parallel = 0.9999f;
+  constexpr uint32_t rays = 4;
   const auto bits = [](float v) { return std::bit_cast<uint32_t>(v); };
-  const auto u = philox({bits(s.p.x), bits(s.p.y), bits(s.p.z), 0}, {0, 0});
-  const auto slant = [&](size_t k) { return most_slant * (2 * to_unit_float(u[k]) - 1); };
-  const Vec3 d = Frame(s.ng).to_world(normalize(Vec3(slant(0), slant(1), -1)));
+  const auto is_other = [&](uint32_t other) {
+    return !looks_alike(material_of(scene, other), material_of(scene, instance)) ||
+           scene.texturing[scene.instances[other].material] != scene.texturing[scene.instances[instance].material];
+  };
   const float gap = 0.25f * s.error;
-  Hit hit;
-  if (!scene.raytracer->intersect(s.p - d * gap, d, 2 * gap, hit) || hit.instance == instance ||
-      !is_opaque(scene, hit.instance) ||
-      looks_alike(material_of(scene, hit.instance), material_of(scene, instance)) ||
-      dot(scene.raytracer->surface_at(hit).ng, s.ng) < parallel)
-    return none;
-  return hit.instance;
+  uint32_t met = none;
+  for (uint32_t ray = 0; ray < rays; ++ray) {
+    const auto u = philox({bits(s.p.x), bits(s.p.y), bits(s.p.z), ray}, {0, 0});
+    const auto slant = [&](size_t k) { return most_slant * (2 * to_unit_float(u[k]) - 1); };
+    const Vec3 d = Frame(s.ng).to_world(normalize(Vec3(slant(0), slant(1), -1)));
+    Hit hit;
+    if (!scene.raytracer->intersect(s.p - d * gap, d, 2 * gap, hit) || hit.instance == instance ||
+        !is_opaque(scene, hit.instance))
+      continue;
+    const float facing = dot(scene.raytracer->surface_at(hit).ng, s.ng);
+    if (facing < -parallel) return none;
+    if (facing > parallel && is_other(hit.instance)) met = hit.instance;
+  }
+  return met;
 }
 
 // Nobody sees what the smaller of both encloses, as the lower face of a box that is wound inwards and stands on a floor.

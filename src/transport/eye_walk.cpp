@@ -169,12 +169,6 @@ std::vector<EyeWalk::Column>& EyeWalk::kept_columns() {
 
 constexpr size_t most_waiting = 1024;  // edges, half a megabyte
 
-double EyeWalk::part_of_source(uint32_t emitter, double size) const {
-  if (!sensor_.separated) return 0;
-  const Separation& separation = in_.plan.separation;
-  return size / separation.columns[separation.column_of_emitter[emitter]].flux_lm;
-}
-
 void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
   // Images of techniques show what has next to no weight, too.
   if (!c.media || sensor_.techniques || (in_.recorder && in_.recorder->wants_all_edges()))
@@ -182,7 +176,7 @@ void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
   const double size = luminance(c.value) * share * c.weight(in_, 1);
   if (!std::isfinite(size)) return work_.drop(drop, rng_.address(), place_of(c));
   const bool far = scene_.emitters.has_direct(true) && scene_.emitters[c.emitter].is_directional();
-  if (size > 0) edges_.push_back({c, *c.media, drop, share, size, part_of_source(c.emitter, size), far});
+  if (size > 0) edges_.push_back({c, *c.media, drop, share, size, far});
   if (edges_.size() >= most_waiting) test_edges();  // of a path of many hundred vertices
 }
 
@@ -213,20 +207,35 @@ double EyeWalk::size_of_certain_edges(bool far, int rays, double WaitingEdge::*s
   }
 }
 
+void EyeWalk::part_by_emitter(bool far) {
+  static const PerThread<std::vector<double>> kept;
+  std::vector<double>& sums = kept.get();
+  sums.resize(std::max(sums.size(), scene_.emitters.size()));
+  for (const WaitingEdge& e : edges_) sums[e.found.emitter] = 0;
+  for (const WaitingEdge& e : edges_)
+    if (e.far == far) sums[e.found.emitter] += e.size;
+  for (WaitingEdge& e : edges_)
+    if (e.far == far) e.part = e.size / sums[e.found.emitter];
+}
+
 // Which edges get a shadow ray is drawn in proportion to what they would bring, with a fixed number in all: where all
 // are free, nothing is lost by it (systematic sampling with probabilities in proportion to size, Madow 1949). Those to
 // directional emitters are drawn by themselves: they would bring much, and may all be hidden.
-// Where sources are told apart as many are drawn by their part of their own source's light. A weak lamp among strong
-// ones is chosen seldom, and each time hardly an edge to it would get a ray: its own reading would lack what few paths
-// bring, and not know it. An edge gets its ray by the larger of both probabilities.
+// Where sources are told apart as many are drawn by their part of what the path would bring from their own emitter. A lamp
+// that is weak here is chosen seldom, and each time hardly an edge to it would get a ray: its own reading would lack what
+// few paths bring, and not know it. Not by their part of their source's: another lamp of its group may be strong and
+// hidden. An edge gets its ray by the larger of both probabilities; so up to twice as many rays are cast, and the whole of
+// a path varies a little with the draw.
 void EyeWalk::test_edges() {
   size_t count[2] = {};
   for (const WaitingEdge& e : edges_) ++count[e.far];
   for (const bool far : {false, true}) {
     const int rays = far && count[0] > 0 ? shadow_rays_beside : shadow_rays;
     const bool all = count[far] <= size_t(rays);
+    const bool by_emitter = !all && tells_sources_apart();
+    if (by_emitter) part_by_emitter(far);
     const double certain = all ? 0 : size_of_certain_edges(far, rays, &WaitingEdge::size),
-                 own = all || !sensor_.separated ? 1 : size_of_certain_edges(far, rays, &WaitingEdge::part);
+                 own = by_emitter ? size_of_certain_edges(far, rays, &WaitingEdge::part) : 1;
     double sum = all ? 0 : rng_.get_fine(tests_, tests_ ? Slot::later_edges : Slot::edges);
     for (WaitingEdge& e : edges_) {
       if (e.far != far) continue;

@@ -104,18 +104,18 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
     MediaStack media;
     Drop drop;
     double share;
-    double size;  // lx or cd/m^2 that it brings if it is free
-    double part;  // that, over the flux of its source; 0 where sources are not told apart
-    bool far;     // to a directional emitter
+    double size;      // lx or cd/m^2 that it brings if it is free
+    bool far;         // to a directional emitter
+    double part = 0;  // of what all those kept to its emitter would bring
   };
   static std::vector<WaitingEdge>& kept_edges();
   using Column = std::pair<uint32_t, MeterTally>;  // of Plan::separation, and what the path has brought it
   static std::vector<Column>& kept_columns();
   // Adds it up, or where it makes an edge keeps it until the path's end; `share` of it was chosen to stand for the whole.
   void offer(const Contribution& c, Drop drop, double share = 1);
-  double part_of_source(uint32_t emitter, double size) const;
   Vec3 place_of(const Contribution& c) const { return c.media ? c.from : last_met(); }
   void test_edges();  // of those kept
+  void part_by_emitter(bool far);
   double size_of_certain_edges(bool far, int rays, double WaitingEdge::*size) const;
   void test_edge(const Contribution& c, Drop drop, double share);
   void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop);
@@ -128,6 +128,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   std::vector<WaitingEdge>& edges_;
   std::vector<Column>& columns_;  // few
   uint32_t tests_ = 0;  // of edges_, so far
+  bool tells_sources_apart() const { return sensor_.separated && in_.plan.separation.columns.size() > 1; }
   // Those vertices of the light path that were asked for; a path may have many thousand.
   struct LightEnds {
     std::vector<uint32_t> place;  // by vertex; none: not yet made

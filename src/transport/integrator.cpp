@@ -211,12 +211,13 @@ double Integrator::replay_eye_path(const Iteration& in, const Photons& photons, 
 namespace {
 
 // Of contributions, the largest first.
-size_t count_told(const std::vector<ReplayedContribution>& all) {
+void choose_told(Replayed& r) {
+  const std::vector<ReplayedContribution>& all = r.contributions;
   double sum = 0, told = 0;
   for (const ReplayedContribution& c : all) sum += c.value();
-  size_t count = 0;
-  while (count < all.size() && (count < least_told || told < told_share * sum)) told += all[count++].value();
-  return count;
+  const size_t most = std::min(all.size(), most_told);
+  while (r.told < most && (r.told < least_told || told < told_share * sum)) told += all[r.told++].value();
+  r.untold_share = sum > 0 ? std::max(0.0, 1 - told / sum) : 0;
 }
 
 }  // namespace
@@ -247,9 +248,10 @@ Replayed Integrator::replay(const SampleAddress& a, const StopSignal& stop) {
   }
   r.walk = std::move(recorder.walk);
   r.contributions = std::move(recorder.contributions);
+  std::erase_if(r.contributions, [](const ReplayedContribution& c) { return !std::isfinite(c.value()); });  // dropped
   std::stable_sort(r.contributions.begin(), r.contributions.end(),
                    [](const ReplayedContribution& x, const ReplayedContribution& y) { return x.value() > y.value(); });
-  r.told = count_told(r.contributions);
+  choose_told(r);
   std::unordered_set<uint32_t> retraced;
   for (size_t i = 0; i < r.told && !stop.is_set(); ++i) {
     const uint32_t path = r.contributions[i].light_path;

@@ -59,13 +59,15 @@ struct Replayed {
   double scale = 1;    // of contributions in it
   ReplayedWalk walk;
   std::vector<ReplayedContribution> contributions;  // the largest first
-  size_t told = 0;                                  // of them, by told_share and least_told
+  size_t told = 0;                                  // of them, by told_share, least_told and most_told
+  double untold_share = 0;                          // that the others bring
   std::vector<ReplayedWalk> light_paths;            // that these were joined to, each once
 };
 
-// So much of a sample is told in full, with the light paths that brought it, and so many contributions at least.
+// So much of a sample is told in full, with the light paths that brought it, and so many contributions at least and at
+// most, as all of these paths are kept.
 inline constexpr double told_share = 0.99;
-inline constexpr size_t least_told = 12;
+inline constexpr size_t least_told = 12, most_told = 1024;
 
 // Writes down one walk.
 class ReplayRecorder : public PathRecorder {

@@ -143,35 +143,60 @@ TEST_F(SeparatedRoom, EachSourceIsWhatItGivesAlone) {
   }
 }
 
+// Lamps in the middle of a room, read by nine meters.
+struct RoomOfLamps {
+  Scene scene;
+  Sensor meters;
+  static constexpr P3 middle{2, 2, 2};
+  RoomOfLamps() {
+    scene.add(box({0, 0, 0}, {4, 4, 4}).flipped(), matte(0.5));
+    std::vector<P3> places;
+    for (int i = 0; i < 9; ++i) places.push_back({1.0 + i % 3, 1.0 + i / 3, 0});
+    meters = scene.add_meters(places, {0, 0, 1});
+  }
+  std::vector<Mean> means_of_sources(ups_separation separation) {
+    const Result r =
+        scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1600, .separation = separation});
+    std::vector<Mean> means(r.sources().size());
+    for (uint32_t source = 0; source < means.size(); ++source)
+      for (const ups_meter_reading& m : r.readings_of_source(source, meters)) {
+        means[source].value += double(m.illuminance_lx) / 9;
+        means[source].standard_error = std::hypot(means[source].standard_error, double(m.standard_error_lx) / 9);
+      }
+    return means;
+  }
+};
+
 // Of lamps in one place each gives the same a candela, walls and all, however much others outshine it; and each reading
 // knows its error. Eye paths choose a weak lamp seldom, and an edge to it then has to get its shadow ray, too: without,
-// light that walls pass on twice lacked, a quarter of the reading, beyond bounds of a hundredth. Means of nine meters, by
-// expect_lx.h: 1 % is found.
+// light that walls pass on twice lacked, a quarter of the reading, beyond bounds of a hundredth. By expect_lx.h: 1 % is
+// found.
 TEST(Separation, WeakLampsAreReadAsStrongOnes) {
-  constexpr double side = 4;
   const std::vector<double> candelas = {1, 30, 1e3, 1e6};
-  Scene scene;
-  scene.add(box({0, 0, 0}, {side, side, side}).flipped(), matte(0.5));
-  for (const double candela : candelas) scene.add_point_light({2, 2, 2}, candela);
-  std::vector<P3> places;
-  for (int i = 0; i < 9; ++i) places.push_back({1.0 + i % 3, 1.0 + i / 3, 0});
-  const Sensor meters = scene.add_meters(places, {0, 0, 1});
-  const Result r =
-      scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 1600, .separation = UPS_SEPARATE_LUMINAIRES});
-  const auto of = [&](uint32_t source) {
-    Mean mean;
-    for (const ups_meter_reading& m : r.readings_of_source(source, meters)) {
-      mean.value += double(m.illuminance_lx) / places.size();
-      mean.standard_error = std::hypot(mean.standard_error, double(m.standard_error_lx) / places.size());
-    }
-    return mean;
-  };
-  const double a_candela = of(3).value / candelas[3];
+  RoomOfLamps room;
+  for (const double candela : candelas) room.scene.add_point_light(RoomOfLamps::middle, candela);
+  const std::vector<Mean> of = room.means_of_sources(UPS_SEPARATE_LUMINAIRES);
+  ASSERT_EQ(of.size(), candelas.size());
+  const double a_candela = of[3].value / candelas[3];
   for (uint32_t lamp = 0; lamp < 3; ++lamp) {
-    const Mean mean = of(lamp);
-    expect_lx(mean.value, mean.standard_error, a_candela * candelas[lamp], quiet,
+    expect_lx(of[lamp].value, of[lamp].standard_error, a_candela * candelas[lamp], quiet,
               "lamp of " + short_number(candelas[lamp]) + " cd");
   }
+}
+
+// The same of a weak lamp whose group has a strong one, which no path sees.
+TEST(Separation, AGroupsWeakLampIsReadThoughItsStrongOneIsElsewhere) {
+  constexpr double strong = 1e6;
+  RoomOfLamps room;
+  room.scene.add(box({10, 0, 0}, {14, 4, 4}).flipped(), matte(0.5));
+  room.scene.set_group(1);
+  room.scene.add_point_light(RoomOfLamps::middle, strong);
+  room.scene.set_group(2);
+  room.scene.add_point_light(RoomOfLamps::middle, 1);
+  room.scene.add_point_light({12, 2, 2}, strong);
+  const std::vector<Mean> of = room.means_of_sources(UPS_SEPARATE_GROUPS);
+  ASSERT_EQ(of.size(), 2u);
+  expect_lx(of[1].value, of[1].standard_error, of[0].value / strong, quiet, "the weak lamp");
 }
 
 TEST_F(SeparatedRoom, DarkSourcesHaveTheirColumn) {

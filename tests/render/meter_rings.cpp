@@ -44,14 +44,14 @@ Part even(double lx, double half = radius) {
 struct Rig {
   MeterDiscs discs{1, max_rings, radius};
   Rings rings = discs.rings(0, 0);
-  MeterRings sums{1, max_rings, true};
+  MeterRings sums{1, max_rings, true, true};
   std::mt19937_64 random;
   explicit Rig(uint64_t seed) : random(seed) {}
 
-  void add(uint32_t batch, double x, double y, double lm, bool direct = false) {
+  void add(uint32_t batch, double x, double y, double lm, bool direct = false, bool caustic = false) {
     const uint32_t ring = discs.ring_at(0, float(x), float(y));
     if (ring != none)
-      sums.add(0, batch, {0, 0, uint8_t(ring), direct, MeterDiscs::octant_of(float(x), float(y)), 0, lm}, batch);
+      sums.add(0, batch, {0, 0, uint8_t(ring), direct, MeterDiscs::octant_of(float(x), float(y)), 0, lm, caustic}, batch);
   }
   void fill(const Field& f) {
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -147,6 +147,38 @@ TEST(MeterRings, ChoiceDoesNotBiasTheReading) {
   EXPECT_LE(error, 0.0015 * 10) << "too noisy to judge";
   EXPECT_NEAR(sum / runs, 10, 4 * error);
   EXPECT_NEAR(stated / square, 1, 0.3);
+}
+
+// A caustic of 10 lx in even light of 17 lx, far narrower than the disc that serves the latter, whose noise hides it: by
+// its own photons, many or few, the bound holds it. The same photons as those of other light do not show.
+TEST(MeterRings, ANarrowCausticIsInTheBoundThoughOtherLightHidesIt) {
+  constexpr double spot = radius / 32, lx = 10, lm = lx * pi_d * spot * spot * batch_count;
+  const Field field{"", {even(17)}, 40, 0};
+  for (const int photons : {2, 20})
+    for (const bool caustic : {false, true}) {
+      Rig rig(5);
+      rig.fill(field);
+      for (int i = 0; i < photons; ++i) {
+        const double r = spot * std::sqrt((i + 0.5) / photons), a = 2.4 * i;
+        rig.add(uint32_t(i) % batch_count, r * std::cos(a), r * std::sin(a), lm / photons, false, caustic);
+      }
+      const ups_meter_reading reading = rig.read();
+      EXPECT_NEAR(reading.illuminance_lx, 17, 2) << "of the widest disc";
+      EXPECT_EQ(std::abs(reading.illuminance_lx - 17 - lx) <= reading.error_bound_lx, caustic) << photons;
+    }
+}
+
+// Few of them far apart say nothing of light that is narrow.
+TEST(MeterRings, FewCausticPhotonsFarApartWidenNoBound) {
+  const Field field{"", {even(17)}, 40, 0};
+  const auto bound = [&](bool caustic) {
+    Rig rig(5);
+    rig.fill(field);
+    rig.add(1, 0.4 * radius, 0, 0.01, false, caustic);
+    rig.add(2, 0, 0.8 * radius, 0.01, false, caustic);
+    return rig.read().error_bound_lx;
+  };
+  EXPECT_EQ(bound(true), bound(false));
 }
 
 class MeterRingsOf : public ::testing::TestWithParam<Field> {};

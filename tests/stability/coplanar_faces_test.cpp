@@ -120,6 +120,16 @@ TEST(Taught, SurfacesInTheVeryPlaneOfAnotherAreWarnedOf) {
       EXPECT_FALSE(told(box({0.1, 0.1, 0}, {0.6, 0.5, 0.4}).flipped(), 0.2, at, tilt)) << "stands on it, inside out";
     }
   const P3 up{0, 0, 1};
+  // Two things that stand in one another on the floor have their lower faces in one plane, which the floor covers.
+  {
+    Scene scene;
+    scene.add(quad({-3, -2, 0}, {6, 0, 0}, {0, 4, 0}), matte(0.6));
+    scene.add(box({0, 0, 0}, {0.6, 0.5, 0.4}), matte(0.2));
+    scene.add(box({0.1, 0.1, 0}, {0.3, 0.3, 0.8}), matte(0.4));
+    scene.add_point_light({0, 0, 2}, 100);
+    scene.add_meters({{1, 1, 0.5}}, up);
+    EXPECT_EQ(scene_warnings(scene).find("in the very plane of another surface"), std::string::npos);
+  }
   const Shape room = box({-3, -2, 0}, {3, 2, 2.5}).flipped();
   EXPECT_TRUE(told(room, 0.2, {0, 0, 0}, up)) << "the floor of a room that has one already";
 }

@@ -13,18 +13,22 @@ ups_material_desc diffuser(double transmittance) {
 }
 Shape walls() { return box({-3, -3, 0}, {3, 3, 3}).flipped(); }
 
-// Bounds alone are judged, of at most 2.5 %: photons merged at a meter blur, which is a part of them.
-void expect_auto(Scene& scene, const P3& at, double expected, const std::string& what) {
-  const Sensor meter = scene.add_meters({at}, {0, 0, 1});
-  const auto r = scene.render({.method = UPS_METHOD_AUTO, .iterations = 256}).readings(meter)[0];
-  measured("%s: %+.2f %%, bound %.2f %%", what.c_str(), 100 * (r.illuminance_lx / expected - 1),
-           100 * r.error_bound_lx / expected);
-  expect_inside_bound(r, expected, 0.025, what);
+// The mean of 64 meters below the lamp, by expect_lx.h: 1 % is found. lx: at a place so far from right below.
+template <class Lx>
+void expect_auto(Scene& scene, const P3& below, const Lx& lx, const std::string& what) {
+  const std::vector<P3> at = grid_about(below, {1, 0, 0}, {0, 1, 0}, 1.6, 8);
+  const Sensor meters = scene.add_meters(at, {0, 0, 1});
+  double expected = 0;
+  for (const P3& p : at) expected += lx(p) / double(at.size());
+  const auto s = scene.render({.method = UPS_METHOD_AUTO, .iterations = 256}).statistics(meters);
+  measured("%s: bound of the mean %.2f %%", what.c_str(), 100 * s.mean_error_bound_lx / expected);
+  EXPECT_LE(std::abs(s.mean_lx - expected), 2 * s.mean_error_bound_lx) << what;
+  expect_lx(s.mean_lx, s.mean_standard_error_lx, expected, quiet, what);
 }
 
 // A lamp of 2 cm right behind a diffuser in a room without windows; the sun outside, whose flux is that of the whole
-// scene's disc (before: lamps of less than a ten-thousandth of that were not looked at, and 0.01 of 20 lx found). E =
-// tau flux / (pi d^2).
+// scene's disc (before: lamps of less than a ten-thousandth of that were not looked at, and 0.01 of 20 lx found). Right
+// below E = tau flux / (pi d^2).
 TEST(Taught, ASunOutsideHidesNoLampBehindADiffuser) {
   const double luminance = 5e5, radius = 0.01, distance = 2, transmittance = 0.5;
   constexpr int corners = 64;
@@ -35,8 +39,11 @@ TEST(Taught, ASunOutsideHidesNoLampBehindADiffuser) {
     scene.add(disc({0, 0, 2.5001}, {0, 0, -1}, radius, corners), emitter(luminance));
     scene.add(quad({-0.1, -0.1, 2.5}, {0.2, 0, 0}, {0, 0.2, 0}), diffuser(transmittance));
     if (sun) scene.add_directional({0.3, 0.2, -1}, 1e5);
-    expect_auto(scene, {0, 0, 0.5}, transmittance * luminance * area / (distance * distance),
-                sun ? "with a sun" : "without");
+    const auto lx = [=](const P3& p) {  // with both cosines
+      const double d2 = p.x * p.x + p.y * p.y + distance * distance;
+      return transmittance * luminance * area * distance * distance / (d2 * d2);
+    };
+    expect_auto(scene, {0, 0, 0.5}, lx, sun ? "with a sun" : "without");
   }
 }
 
@@ -44,21 +51,25 @@ TEST(Taught, ASunOutsideHidesNoLampBehindADiffuser) {
 // (before: 9 of 59 lx missing within a bound of 1 %). Both spheres are lit evenly: a Lambertian sphere's flux goes
 // evenly to all sides.
 TEST(Taught, ALampInABulbInAShadeIsNotMissed) {
-  const double candela = 100, bulb = 0.8, shade = 0.6, down = 2, other = 50;
+  const double candela = 100, bulb = 0.8, shade = 0.6, down = 2, beside = 300;
   Scene scene;
   scene.add(walls(), matte(0));
-  const P3 lamp{0, 0, 2.5};
+  const P3 lamp{0, 0, 2.5}, other{1, 0, 2.5};
   scene.add_point_light(lamp, candela);
   scene.add(icosphere(lamp, 0.01, 4), diffuser(bulb));
   scene.add(icosphere(lamp, 0.04, 4), diffuser(shade));
-  scene.add_point_light({1, 0, 2.5}, other * std::pow(5.0, 1.5) / 2);
-  expect_auto(scene, lamp - P3{0, 0, down}, bulb * shade * candela / (down * down) + other, "bulb in a shade");
+  scene.add_point_light(other, beside);
+  const auto lx = [&](const P3& p) {
+    return down * (bulb * shade * candela / std::pow(length(lamp - p), 3) + beside / std::pow(length(other - p), 3));
+  };
+  expect_auto(scene, lamp - P3{0, 0, down}, lx, "bulb in a shade");
 }
 
 // A cell that a small mirror lights by a fifth, where eye paths may carry that light, too, but hardly ever do: a lamp of
 // 4 mm and a mirror, a point and a plate of polished metal, also of one that is no pure metal. `auto` lets light land
-// there (before: with some seeds none of it was found, or a tenth, within bounds of less). Bounds alone are judged, of at
-// most a half of the mirror's light, with seeds that missed them.
+// there (before: with some seeds none of it was found, or a tenth, within bounds of less). That it does is judged, and
+// bounds of at most 0.3 of the mirror's light, with seeds that missed them. What lands on a cell by a mirror is right to
+// 1 %: MirrorImage.LandsOnACellWithoutBias (tests/analytic).
 TEST(Taught, LightOfSmallMirrorsLandsOnCells) {
   constexpr double candela = 800, size = 0.05, radius = 0.002;
   constexpr int corners = 16;
@@ -81,7 +92,11 @@ TEST(Taught, LightOfSmallMirrorsLandsOnCells) {
     else
       scene.add_point_light(lamp, candela);
     const Sensor cell = scene.add_cells({at}, {up}, {{1, 0, 0}}, size, size);
-    return scene.render({.method = UPS_METHOD_AUTO, .iterations = 128, .seed = seed}).readings(cell)[0];
+    const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 128, .seed = seed});
+    if (with_mirror) {
+      EXPECT_TRUE(result.choice(cell).techniques & UPS_TECHNIQUE_SENSOR_HIT) << "kind " << kind;
+    }
+    return result.readings(cell)[0];
   };
   for (const auto& [kind, seed] : {std::pair(small_lamp, 2), std::pair(metal, 3), std::pair(metal, 7),
                                    std::pair(mostly_metal, 7)}) {
@@ -89,7 +104,7 @@ TEST(Taught, LightOfSmallMirrorsLandsOnCells) {
     const double expected = dark.illuminance_lx + by_mirror;
     measured("of the mirror's light %.2f, bound %.2f", (r.illuminance_lx - dark.illuminance_lx) / by_mirror,
              r.error_bound_lx / by_mirror);
-    expect_inside_bound(r, expected, 0.5 * by_mirror / expected, "kind " + std::to_string(kind));
+    expect_inside_bound(r, expected, 0.3 * by_mirror / expected, "kind " + std::to_string(kind));
   }
 }
 

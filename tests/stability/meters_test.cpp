@@ -55,11 +55,15 @@ Judged judge(const Result& result, const Sensor& meters, const Known& known, con
   EXPECT_GE(j.held, int(readings.size()) - most_misses(readings.size())) << what;
   EXPECT_LE(j.widest_bound, widest) << what;
   if (by_mean) {
+    // Not known where no light came by chance.
+    if (all.mean_standard_error_lx < 0) {
+      EXPECT_LE(j.worst_error, 1e-4) << what;
+    }
     EXPECT_LE(all.mean_standard_error_lx, 0.0015 * all.mean_lx) << what << ": too noisy to judge";
     EXPECT_NEAR(j.mean_error, 0, 0.005) << what;
   }
   measured("%s: mean error %+.2f (+- %.2f) %%, worst %.2f %%, widest bound %.2f %%, %d of %zu held", what.c_str(),
-           100 * j.mean_error, 100 * all.mean_standard_error_lx / std::max(all.mean_lx, 1e-9), 100 * j.worst_error,
+           100 * j.mean_error, 100 * std::max(all.mean_standard_error_lx, 0.0) / std::max(all.mean_lx, 1e-9), 100 * j.worst_error,
            100 * j.widest_bound, j.held, readings.size());
   return j;
 }
@@ -85,41 +89,59 @@ TEST(Hazard19, MetersTwoCentimetresFromAWallHoldTheirBound) {
 }
 
 // Pixels that see the floor right beside a wall, by photons alone: discs there hang beyond the floor's edge, and half of
-// the light is missing at the wall, as the bias says. Bounds alone are judged (pixels share photons). Known limit: where
-// the camera sees nothing but what lies within a wide radius of the wall, one bound in eight does not hold.
+// the light is missing at the wall, as the bias says. Their bounds are judged (pixels share photons), of at most a half of
+// the light; and the mean of those farther off than the radius, over 8 seeds by expect_lx.h at a standard error of at most
+// 0.33 %: 2 % is found. Known limit: where the camera sees nothing but what lies within a wide radius of the wall, one
+// bound in eight does not hold.
 TEST(Hazard19, PixelsBesideAWallHoldTheirBound) {
   constexpr uint32_t side = 16;
-  constexpr double rho = 0.5, half = 0.045;
-  const P3 lamp{1.5, 1.2, 2};
+  constexpr double rho = 0.5, half = 0.045, widest_bound = 0.5;
+  const P3 lamp{1.5, 1.2, 2}, seen{0.05, 2, 0};
   Scene scene;
   scene.add(quad({0, 0, 0}, {4, 0, 0}, {0, 4, 0}), matte(rho));
   scene.add(quad({0, 0, 0}, {0, 4, 0}, {0, 0, 3}), matte(0));
-  scene.add_point_light(lamp, 100);
+  scene.add_spot(lamp, normalize(seen - lamp), 100, 0.06, 0.061);
   const Sensor camera = scene.add_camera({0.05, 2, 0.5}, {0, 0, -1}, side, side, 2 * std::atan(half / 0.5));
   for (const double radius : {0.0, 0.02, 0.05}) {
-    const Image image =
-        scene.render({.method = UPS_METHOD_PPM, .iterations = 64, .merge_radius_m = radius, .light_paths = 1u << 17})
-            .image(camera);
-    int held = 0;
-    double worst = 0, widest = 0;
-    for (uint32_t p = 0; p < side * side; ++p) {
-      const P3 at{0.05 + ((p % side + 0.5) / 8 - 1) * half, 2 + (1 - (p / side + 0.5) / 8) * half, 0};
-      const double truth = rho / pi_d * lamp_lx(lamp, 100, at, {0, 0, 1});
-      held += std::abs(image.luminance[3 * p] - truth) <= image.error_bound[p];
-      worst = std::max(worst, std::abs(image.luminance[3 * p] / truth - 1));
-      widest = std::max(widest, image.error_bound[p] / truth);
+    std::vector<double> means;  // over the truth, beyond the radius
+    for (uint64_t seed = 1; seed <= (radius == 0.02 ? 8u : 1u); ++seed) {
+      const Image image = scene
+                              .render({.method = UPS_METHOD_PPM,
+                                       .iterations = 64,
+                                       .seed = seed,
+                                       .merge_radius_m = radius,
+                                       .light_paths = 1u << 14})
+                              .image(camera);
+      int held = 0;
+      double worst = 0, widest = 0;
+      std::vector<double> beyond;
+      for (uint32_t p = 0; p < side * side; ++p) {
+        const P3 at{0.05 + ((p % side + 0.5) / 8 - 1) * half, 2 + (1 - (p / side + 0.5) / 8) * half, 0};
+        const double truth = rho / pi_d * lamp_lx(lamp, 100, at, {0, 0, 1}), ratio = image.luminance[3 * p] / truth;
+        held += std::abs(image.luminance[3 * p] - truth) <= image.error_bound[p];
+        worst = std::max(worst, std::abs(ratio - 1));
+        widest = std::max(widest, image.error_bound[p] / truth);
+        if (at.x - half / side > radius) beyond.push_back(ratio);
+      }
+      if (seed == 1)
+        measured("radius %g m: worst %.1f %%, widest bound %.1f %%, %d of %u pixels held", radius, 100 * worst,
+                 100 * widest, held, side * side);
+      EXPECT_GE(held, radius < 0.05 ? int(side * side) - most_misses(side * side) : 0.85 * side * side)
+          << radius << ", seed " << seed;
+      EXPECT_LE(widest, widest_bound) << radius << ", seed " << seed;
+      means.push_back(mean_of(beyond).value);
     }
-    measured("radius %g m: worst %.1f %%, widest bound %.1f %%, %d of %u pixels held", radius, 100 * worst,
-             100 * widest, held, side * side);
-    EXPECT_GE(held, radius < 0.05 ? int(side * side) - most_misses(side * side) : 0.85 * side * side) << radius;
+    if (means.size() == 1) continue;
+    const Mean mean = mean_of(means);
+    expect_lx(mean.value, mean.standard_error, 1, 0.0033, "pixels beyond the radius");
   }
 }
 
 // Where walls meet, and up to 2 cm beside. Next-event estimation has no chance there: the closed form to 1e-4. Photons
-// find discs as wide as the corner leaves them, none right in it: their bounds hold all the same, and their mean says
-// nothing. Spots from one place, one for each corner and edge, send them nowhere else: bounds are at most 10 % at 2 cm,
-// 20 % at 5 mm, of which three times as much is found at a single meter; at 0.5 mm a few photons come, and
-// bounds are as large as readings and larger.
+// find discs as wide as the corner leaves them, none right in it: their bounds hold all the same. Spots from one place,
+// one for each corner and edge, send them nowhere else: bounds are at most 10 % at 2 cm, 20 % at 5 mm; at 0.5 mm a few
+// photons come, and bounds are as large as readings and larger. By the mean of many at an edge, 5 mm and 2 cm off it, 1 %
+// is found (judge).
 TEST(Taught, MetersOnEdgesAndInCorners) {
   const double distances[] = {0.0, 0.0005, 0.005, 0.02}, widest[] = {INFINITY, INFINITY, 0.2, 0.1};
   const P3 lamp{1.5, 1.2, 1.6};
@@ -149,6 +171,27 @@ TEST(Taught, MetersOnEdgesAndInCorners) {
     const size_t k = i * std::size(distances) / readings.size();
     EXPECT_LE(readings[i].error_bound_lx, widest[k] * known.lx[i]) << distances[k] << ", meter " << i;
   }
+}
+
+TEST(Taught, MetersAlongAnEdge) {
+  const P3 lamp{1.5, 1.2, 1.6}, edge{0, 2, 0};
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 4, 3}).flipped(), matte(0));
+  scene.add_spot(lamp, normalize(edge - lamp), 100, 0.035, 0.036);
+  Known known[2];
+  constexpr double distances[] = {0.005, 0.02};
+  std::vector<Sensor> meters;
+  for (int k = 0; k < 2; ++k) {
+    for (int i = 0; i < 24; ++i) {
+      const double d = distances[k], along = 2 + 0.1 * ((i + 0.5) / 24 - 0.5);
+      for (const auto& [p, n] : {std::pair(P3{d, along, 0}, P3{0, 0, 1}), std::pair(P3{0, along, d}, P3{1, 0, 0})})
+        known[k].add(p, n, lamp_lx(lamp, 100, p, n));
+    }
+    meters.push_back(scene.add_meters(known[k].at, known[k].normals));
+  }
+  const Result r = scene.render({.method = UPS_METHOD_PPM, .iterations = 48, .light_paths = 1u << 14});
+  for (int k = 0; k < 2; ++k)
+    judge(r, meters[k], known[k], short_number(1000 * distances[k]) + " mm off an edge", 0.1);
 }
 
 // On a table's top, at its edge and at its corner, beyond which the disc hangs in the air, over a floor.
@@ -188,41 +231,78 @@ TEST(Hazard20, DiscsWiderThanASurfaceIsBentHoldTheirBound) {
 }
 
 // What a camera sees of a rod of 1 cm, by photons alone: the bounds of its pixels hold, with the radius that the scene
-// calls for and with one of 1 mm (bounds alone are judged; pixels share photons). With discs of 10 cm, which most of
-// the rod's light cannot fill, they cannot: that is said.
-TEST(Hazard20, PixelsOfABentSurfaceHoldTheirBoundOrAreWarnedOf) {
-  constexpr uint32_t side = 16;
-  constexpr double radius = 0.01, rho = 0.8, lx = 1000, half = 0.004;
-  Scene scene;
-  Shape rod;
-  constexpr int sides = 256;
-  for (int i = 0; i < sides; ++i) {
-    const double a = 2 * pi_d * i / sides, b = 2 * pi_d * (i + 1) / sides;
-    const P3 from{radius * std::cos(a), -1, radius * std::sin(a)}, to{radius * std::cos(b), -1, radius * std::sin(b)};
-    rod.append(quad(from, {0, 2, 0}, to - from));
-  }
-  scene.add(rod, matte(rho));
-  scene.add_directional({0, 0, -1}, lx);
-  const Sensor camera = scene.add_camera({0, 0, 1}, {0, 0, -1}, side, side, 2 * std::atan(half / (1 - radius)));
-  for (const double r : {0.0, 0.001, 0.1}) {
-    const Result result =
-        scene.render({.method = UPS_METHOD_PPM, .iterations = 64, .merge_radius_m = r, .light_paths = 1u << 16});
-    const Image image = result.image(camera);
-    int held = 0;
-    double mean = 0;  // over the truth
-    for (uint32_t p = 0; p < side * side; ++p) {
-      const double x = ((p % side + 0.5) / side * 2 - 1) * half,
-                   truth = rho / pi_d * lx * std::sqrt(1 - x * x / (radius * radius));
-      held += std::abs(image.luminance[3 * p] - truth) <= image.error_bound[p];
-      mean += image.luminance[3 * p] / truth / (side * side);
+// calls for and with one of 1 mm, and the mean of the image over its truth, by expect_lx.h over 8 seeds at a standard
+// error of at most 0.33 %: 2 % is found. With discs of 10 cm, which most of the rod's light cannot fill, they cannot: that
+// is said.
+class Rod {
+ public:
+  static constexpr uint32_t side = 16;
+  explicit Rod(double half_length) {
+    Shape rod;
+    constexpr int sides = 256;
+    for (int i = 0; i < sides; ++i) {
+      const double a = 2 * pi_d * i / sides, b = 2 * pi_d * (i + 1) / sides;
+      const P3 from{radius * std::cos(a), -half_length, radius * std::sin(a)},
+          to{radius * std::cos(b), -half_length, radius * std::sin(b)};
+      rod.append(quad(from, {0, 2 * half_length, 0}, to - from));
     }
-    const bool told = result.text(UPS_TEXT_WARNINGS).find("camera 1: the merge radius that was asked for is wider") !=
-                      std::string::npos;
-    EXPECT_EQ(told, r == 0.1) << r;
-    EXPECT_TRUE(told || held >= int(side * side) - most_misses(side * side)) << r << ": " << held;
-    measured("a rod of 1 cm, radius %g m: mean %+.2f %%, %d of %u pixels held", r, 100 * (mean - 1), held,
-             side * side);
+    scene_.add(rod, matte(rho));
+    scene_.add_directional({0, 0, -1}, lx);
+    camera_ = scene_.add_camera({0, 0, above}, {0, 0, -1}, side, side, 2 * std::atan(slope));
   }
+  struct Seen {
+    double mean;  // over the truth
+    int held;
+    bool told;
+  };
+  Seen look(double merge_radius, uint64_t seed) {
+    const Result result = scene_.render({.method = UPS_METHOD_PPM,
+                                         .iterations = 64,
+                                         .seed = seed,
+                                         .merge_radius_m = merge_radius,
+                                         .light_paths = 1u << 14});
+    const Image image = result.image(camera_);
+    Seen seen{0, 0,
+              result.text(UPS_TEXT_WARNINGS).find("camera 1: the merge radius that was asked for is wider") !=
+                  std::string::npos};
+    for (uint32_t p = 0; p < side * side; ++p) {
+      // Where the ray (s t, above - t) meets the circle: (s^2 + 1) t^2 - 2 above t + above^2 - r^2 = 0.
+      const double s = ((p % side + 0.5) / side * 2 - 1) * slope, q = s * s + 1,
+                   t = (above - std::sqrt(above * above - q * (above * above - radius * radius))) / q,
+                   truth = rho / pi_d * lx * (above - t) / radius;
+      seen.held += std::abs(image.luminance[3 * p] - truth) <= image.error_bound[p];
+      seen.mean += image.luminance[3 * p] / truth / (side * side);
+    }
+    return seen;
+  }
+
+ private:
+  static constexpr double radius = 0.01, rho = 0.8, lx = 1000, above = 0.04, slope = 0.004 / (above - radius);
+  Scene scene_;
+  Sensor camera_;
+};
+
+TEST(Hazard20, PixelsOfABentSurfaceHoldTheirBoundOrAreWarnedOf) {
+  constexpr int pixels = Rod::side * Rod::side;
+  const auto tell = [](double r, double mean, int held) {
+    measured("a rod of 1 cm, radius %g m: mean %+.2f %%, %d of %d pixels held", r, 100 * (mean - 1), held, pixels);
+  };
+  for (const double r : {0.0, 0.001}) {
+    Rod rod(0.02);
+    std::vector<double> means;
+    for (uint64_t seed = 1; seed <= 8; ++seed) {
+      const Rod::Seen seen = rod.look(r, seed);
+      EXPECT_FALSE(seen.told) << r;
+      EXPECT_GE(seen.held, pixels - most_misses(pixels)) << r << ", seed " << seed;
+      if (seed == 1) tell(r, seen.mean, seen.held);
+      means.push_back(seen.mean);
+    }
+    const Mean mean = mean_of(means);
+    expect_lx(mean.value, mean.standard_error, 1, 0.0033, "a rod, radius " + short_number(r));
+  }
+  const Rod::Seen wide = Rod(1).look(0.1, 1);
+  EXPECT_TRUE(wide.told);
+  tell(0.1, wide.mean, wide.held);
 }
 
 // Under a slab of glass 1 mm above the floor, in the sun: 2 n / (n^2 + 1) of it, with all reflections inside, and all
@@ -245,21 +325,17 @@ TEST(Taught, MetersUnderACaster) {
   }
 }
 
-// A slab that lies on the floor: whether there is air between the two is a matter of rounding, and what is read lies
-// between both, 2 n / (n^2 + 1) and, without that face, 4 n / (n + 1)^2, with 0.5 % beyond them for five
-// standard errors of at most 0.1 %: what is 0.7 % beyond is found in 97 of 100 cases.
+// A slab that lies on the floor is in optical contact with it: 4 n / (n + 1)^2, by expect_lx.h at a standard error of at
+// most 0.1 %: 0.7 % is found. With air between the two it were 2 n / (n^2 + 1), 3.8 % less.
 TEST(Taught, MetersUnderACasterThatTouchesThem) {
-  constexpr double n = 1.5, lx = 1000, air = lx * 2 * n / (n * n + 1), contact = lx * 4 * n / ((n + 1) * (n + 1));
+  constexpr double n = 1.5, lx = 1000, contact = lx * 4 * n / ((n + 1) * (n + 1));
   Scene scene;
   scene.add(quad({-0.5, -0.5, 0}, {1, 0, 0}, {0, 1, 0}), matte(0));
   scene.add(box({-0.2, -0.2, 0}, {0.2, 0.2, 0.02}), glass(n));
   scene.add_directional({0, 0, -1}, lx);
   const Sensor meters = scene.add_meters(grid_about({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.2, 6), {0, 0, 1});
-  const auto s = scene.render({.method = UPS_METHOD_UPS, .iterations = 256, .light_paths = 1u << 16}).statistics(meters);
-  measured("slab in contact: %.1f lx, with air %.1f, without %.1f", s.mean_lx, air, contact);
-  EXPECT_LE(s.mean_standard_error_lx, 0.001 * s.mean_lx);
-  EXPECT_GE(s.mean_lx, air * 0.995);
-  EXPECT_LE(s.mean_lx, contact * 1.005);
+  const auto s = scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .light_paths = 1u << 16}).statistics(meters);
+  expect_lx(s.mean_lx, s.mean_standard_error_lx, contact, 0.001, "a slab in contact");
 }
 
 // A luminous opening of 0.6 mm, of an LED or of a file in another unit, is a point from half a metre on:

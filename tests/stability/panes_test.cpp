@@ -224,8 +224,9 @@ INSTANTIATE_TEST_SUITE_P(Taught, Panes, ::testing::ValuesIn(cases()), ::testing:
 
 // A hundred panes in a row. Those that reflect nothing keep 0.97^100 of a point source's light: one exact shadow ray.
 // Lossless ones that reflect, in the sun at right angles: with all reflections among 2 N faces of reflectance r
-// (1 - r) / (1 + (2 N - 1) r) (Stokes 1862), which takes paths of hundreds of edges: in the full form 1 % is found, in
-// the fast form, at standard errors of up to 0.25 %, 1.4 %.
+// (1 - r) / (1 + (2 N - 1) r) (Stokes 1862), which takes paths of hundreds of edges; judged as expect_lx.h says: 1 %
+// is found in 96 cases of 100. UPS and light tracing have the same light paths and read the same, at full size +0.04 +-
+// 0.13 % both: the fast form takes UPS alone.
 TEST(Taught, LightThroughAHundredPanes) {
   constexpr int panes = 100;
   Scene tinted;
@@ -249,13 +250,15 @@ TEST(Taught, LightThroughAHundredPanes) {
   clear.add_directional({0, 0, -1}, source_lux);
   const Sensor cell = clear.add_cells({{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, 8, 8);
   for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_LIGHT_TRACING}) {
-    const RenderOptions options{.method = method,
-                                .iterations = fast_or_full(32u, 48u),
-                                .light_paths = fast_or_full(1u << 14, 1u << 15)};
-    const auto r = clear.render(options).readings(cell)[0];
+    if (method == UPS_METHOD_LIGHT_TRACING && !full()) continue;
+    RenderOptions options{.method = method, .iterations = fast_or_full(32u, 48u), .light_paths = 1u << 15};
+    const Result result = render_until_quiet(clear, options, 64, [&](const Result& rendered) {
+      return double(rendered.readings(cell)[0].standard_error_lx) / (quiet * expected);
+    });
+    const auto r = result.readings(cell)[0];
     measured("clear panes, %s: %+.2f +- %.2f %%", method_name(method), 100 * (r.illuminance_lx / expected - 1),
              100 * r.standard_error_lx / expected);
-    expect_lx(r, expected, fast_or_full(0.0025, quiet), std::string("clear panes, ") + method_name(method));
+    expect_lx(r, expected, quiet, std::string("clear panes, ") + method_name(method));
   }
 }
 

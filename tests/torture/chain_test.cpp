@@ -50,7 +50,8 @@ double guided(double side, double length, double gap, double ior) {
 }
 
 // Of a rod of glass, 10 mm by 10 mm by 1 m, between an emitter and cells: total reflection guides all that enters.
-// Paths of a hundred edges and more: an error of 4.5 % is found in each method, in their mean half of that, in full 1 %.
+// Paths of a hundred edges and more: the fast form finds an error of 4.5 % in each method alone, at an s of 0.75 %, and
+// of 1 % in the mean of all, at 0.16 %; the full form 1 % in each.
 TEST(Torture, ALightGuideOfGlass) {
   constexpr double side = 0.01, luminance = 1e6;
   Scene scene;
@@ -64,7 +65,7 @@ TEST(Torture, ALightGuideOfGlass) {
             .truth_lx = pi_d * luminance * guided(side, 1, 0.001, 1.5),
             .truth_error = 5e-4,
             .noise = fast_or_full(0.0075, 0.0016)}},
-          {.sppm_factor = fast_or_full(2u, 8u), .balance_error = 0.01});
+          {.iterations = 48, .sppm_factor = fast_or_full(2u, 8u), .balance_error = 0.01});
 }
 
 // Of a mirror's reflectance to the power of the reflections; by symmetry each axis has its own mean over the places.
