@@ -146,8 +146,8 @@ typedef struct ups_result_info {
  * standard error is -1, and the bound is that of the rule of three and its continuation: the most that one path may
  * bring, times 3.00, 3.74, 4.30, ... after 0, 1, 2, ... paths, over the iterations. Where photons are merged, the bound
  * of a point meter has besides what light by way of specular and glossy surfaces alone (caustics) may bring, told in the
- * same way while fewer than 8 photons have brought such light: it would hide among other light; and what it is more where
- * those that came lie closer together than the disc that the reading takes. */
+ * same way while fewer than 8 photons have brought such light: it would hide among other light; and, as long as they
+ * are few, what it would be where they lie close together. */
 typedef struct ups_meter_reading {
   float illuminance_lx;    /* of a vector meter the vector's length, which noise makes longer */
   float standard_error_lx; /* noise alone; of a length that of the component along it */

@@ -95,8 +95,8 @@ UPS_API ups_status ups_path_read_vertices(const ups_path *path, ups_path_vertex 
 UPS_API ups_status ups_path_read_contributions(const ups_path *path, ups_path_contribution *contributions,
                                                size_t capacity, size_t *needed);
 /* All that is known of the path, for people: a line a vertex, and the contributions that make up 99 % of it, twelve at
- * least and 1024 at most, with their weights and densities. Two calls: text NULL and capacity 0 give *needed (with the final zero), then
- * the text. */
+ * least and 1024 at most, with their weights and densities. Two calls: text NULL and capacity 0 give *needed (with the
+ * final zero), then the text. */
 UPS_API ups_status ups_path_get_text(const ups_path *path, char *text, size_t capacity, size_t *needed);
 
 #endif

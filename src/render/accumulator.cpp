@@ -49,8 +49,9 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     separated_.emplace_back(set.meters.size() * plan.separation.columns.size());
     const size_t s = rings_.size();
     const uint32_t rings = plan.lands_on(s) ? plan.meter_discs[s].ring_count() : 0;
-    rings_.emplace_back(rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0, rings,
-                        plan.merges_direct_light(), plan.seeks_caustics);
+    const size_t rows = rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0;
+    rings_.push_back({MeterRings(rows, rings, plan.merges_direct_light()),
+                      MeterRings(plan.seeks_caustics ? rows : 0, rings, false, true)});
     discs_that_meet_.push_back(rings ? plan.meter_discs[s].most_that_meet(set.meters) : 1);
   }
   for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);
@@ -77,8 +78,8 @@ std::vector<Accumulator::Emitted> Accumulator::emitted_by_column(const Snapshot&
 // All meters' light, and beside it the choice of discs, then profiles, or two more copies of the batches and their
 // ranks.
 double Accumulator::scratch_bytes(bool has_discs) {
-  constexpr double profiles = sizeof(RingProfile) + sizeof(MeterRings::Choice);
-  return sizeof(MeterLight) + std::max(sizeof(OwnBias) + sizeof(NeighbourCurvature) + has_discs * profiles,
+  constexpr double profiles = sizeof(RingProfile) + class_count * sizeof(MeterRings::Choice);
+  return sizeof(MeterLight) + std::max(class_count * sizeof(OwnBias) + sizeof(NeighbourCurvature) + has_discs * profiles,
                                        2 * MeterBatches::bytes_per_meter + 48);
 }
 
@@ -101,8 +102,9 @@ void Accumulator::add(const IterationTally& tally) {
   for (size_t s = 0; s < tally.landings.size(); ++s)
     for (const MeterLanding& l : tally.landings[s]) {
       const size_t row = plan_.visited_meter(iterations_, l.visited) * (columns + 1);
-      rings_[s].add(row, meter_batch, l, iterations_);
-      if (columns) rings_[s].add(row + 1 + l.column, meter_batch, l, iterations_);
+      MeterRings& rings = rings_[s][l.caustic && plan_.seeks_caustics ? caustic_light : other_light];
+      rings.add(row, meter_batch, l, iterations_);
+      if (columns) rings.add(row + 1 + l.column, meter_batch, l, iterations_);
     }
   for (size_t c = 0; c < images_.size(); ++c) images_[c].add(iterations_, tally, c);
   for (size_t g = 0; g < goniometers_.size(); ++g) goniometers_[g].add(batch, tally.goniometers[g]);
@@ -113,25 +115,26 @@ void Accumulator::add(const IterationTally& tally) {
   ++iterations_;
 }
 
-NeighbourProfiles Accumulator::profiles_of(size_t set, size_t column, const StopSignal* stop) const {
+NeighbourProfiles Accumulator::profiles_of(size_t set, LightClass of, size_t column, const StopSignal* stop) const {
   const size_t rows = plan_.separation.columns.size() + 1;
-  std::vector<RingProfile> profiles(rings_[set].empty() ? 0 : meters_[set].size());
+  std::vector<RingProfile> profiles(rings_[set][of].empty() ? 0 : meters_[set].size());
   for (size_t m = 0; m < profiles.size(); ++m) {
     check(stop);
     if (visits(m) == 0) continue;  // what its disc reaches may be found right now
     const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
-    profiles[m] = rings_[set].profile(m * rows + column, rings, visits(m));
+    profiles[m] = rings_[set][of].profile(m * rows + column, rings, visits(m));
   }
   return NeighbourProfiles(std::move(profiles));
 }
 
 // By what the meter alone tells, then by what its neighbours found with that.
-Accumulator::Choices Accumulator::choose_discs(size_t set, const StopSignal* stop) const {
-  const size_t count = rings_[set].empty() ? 0 : meters_[set].size(), rows = plan_.separation.columns.size() + 1;
-  Choices choices(count);
+Accumulator::ClassChoices Accumulator::choose_discs(size_t set, LightClass of, const StopSignal* stop) const {
+  const MeterRings& sums = rings_[set][of];
+  const size_t count = sums.empty() ? 0 : meters_[set].size(), rows = plan_.separation.columns.size() + 1;
+  ClassChoices choices(count);
   std::vector<OwnBias> own(count);
   std::vector<NeighbourCurvature> neighbours(count);
-  const NeighbourProfiles profiles = profiles_of(set, 0, stop);
+  const NeighbourProfiles profiles = profiles_of(set, of, 0, stop);
   for (const bool alone : {true, false}) {
     for (size_t m = 0; m < count; ++m) {
       check(stop);
@@ -140,9 +143,9 @@ Accumulator::Choices Accumulator::choose_discs(size_t set, const StopSignal* sto
       MeterRings::Told told{neighbours[m], {}};
       if (!alone)
         told.steps = [&](const RingProfile& half, uint32_t ring) { return profiles.bias_to_choose_by(m, half, ring); };
-      choices[m] = rings_[set].choose(m * rows, rings, visits(m), told);
+      choices[m] = sums.choose(m * rows, rings, visits(m), told);
       if (!alone) continue;
-      const MeterRings::Photons p = rings_[set].read(m * rows, rings, choices[m], visits(m));
+      const MeterRings::Photons p = sums.read(m * rows, rings, choices[m], visits(m));
       own[m] = {spread(p.bias.data(), visits(m)), p.lx, p.bias_scale};
     }
     if (alone) neighbours = neighbour_curvatures(own);
@@ -150,17 +153,28 @@ Accumulator::Choices Accumulator::choose_discs(size_t set, const StopSignal* sto
   return choices;
 }
 
-MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, size_t column) const {
+MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, size_t column,
+                                 std::array<OwnBias, class_count>& own) const {
   const size_t columns = plan_.separation.columns.size(), row = m * (columns + 1);
   const bool point = !scene_.meter_sets[set].is_cell();
   MeterLight light{column == 0 ? meters_[set][m] : separated_[set][m * columns + column - 1], {}, visits(m), {}, {},
                    plan_.merges_direct_light(), {}, scene_.meter_sets[set].weight(m)};
   double area = 0;
-  if (!discs.empty() && light.visits > 0) {
+  own = {};
+  const auto read = [&](LightClass of, uint32_t others) {
+    if (discs[of].empty() || light.visits == 0) return MeterRings::Photons();
     const Rings rings = plan_.meter_discs[set].rings(uint32_t(m), plan_.min_radius);
     area = plan_.meter_discs[set].area(uint32_t(m));
-    light.photons = rings_[set].read(row + column, rings, discs[m], light.visits);
-    light.sums.add(light.photons);
+    return rings_[set][of].read(row + column, rings, discs[of][m], light.visits, others);
+  };
+  const MeterRings::Photons caustics = read(caustic_light, 0);
+  light.photons = read(other_light, caustics.caustics);
+  light.sums.add(light.photons);
+  own[other_light] = light.own_bias();
+  if (caustics.caustics > 0) {
+    light.sums.add(caustics);
+    light.photons.add(caustics);
+    own[caustic_light] = {spread(caustics.bias.data(), light.visits), caustics.lx, caustics.bias_scale};
   }
   const CausticSearch search = point ? CausticSearch{area * light.visits, double(light.sums.caustics)}
                                      : search_about_cell(set, m, column);
@@ -175,20 +189,28 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
 
 std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs, size_t column,
                                                const StopSignal* stop) const {
+  const size_t count = meters_[set].size();
   std::vector<MeterLight> lights;
-  lights.reserve(meters_[set].size());
-  std::vector<OwnBias> own;
-  own.reserve(meters_[set].size());
-  for (size_t m = 0; m < meters_[set].size(); ++m) {
+  lights.reserve(count);
+  std::array<std::vector<OwnBias>, class_count> own;
+  for (auto& of : own) of.reserve(count);
+  for (size_t m = 0; m < count; ++m) {
     check(stop);
-    lights.push_back(light_of(set, m, discs, column));
-    own.push_back(lights.back().own_bias());
+    std::array<OwnBias, class_count> of_meter;
+    lights.push_back(light_of(set, m, discs, column, of_meter));
+    for (size_t k = 0; k < class_count; ++k) own[k].push_back(of_meter[k]);
   }
-  const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own);
-  const NeighbourProfiles profiles = profiles_of(set, column, stop);
-  for (size_t m = 0; m < lights.size(); ++m) {
-    lights[m].bias = pooled_bias(own[m], neighbours[m]);
-    if (!discs.empty()) lights[m].bias = profiles.added_to(lights[m].bias, m, discs[m]);
+  for (const LightClass of : {other_light, caustic_light}) {
+    const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own[of]);
+    const NeighbourProfiles profiles = profiles_of(set, of, column, stop);
+    for (size_t m = 0; m < count; ++m) {
+      Spread bias = pooled_bias(own[of][m], neighbours[m]), &all = lights[m].bias;
+      if (!discs[of].empty()) bias = profiles.added_to(bias, m, discs[of][m]);
+      if (of == other_light)
+        all = bias;
+      else if (own[of][m].lx > 0 && bias.standard_error >= 0 && all.standard_error >= 0)
+        all = {all.mean + bias.mean, std::hypot(all.standard_error, bias.standard_error)};
+    }
   }
   return lights;
 }

@@ -83,15 +83,23 @@ class Accumulator {
     double brightest_lm = 0;     // that one of its light paths may start with
     double brightest_cd_m2 = 0;  // that an eye path may run into
   };
-  using Choices = std::vector<MeterRings::Choice>;  // by meter; of cells and where nothing is merged, none
+  // What comes by way of casters alone has discs of its own: a caustic may be far narrower than all other light.
+  enum LightClass : size_t { other_light, caustic_light, class_count };
+  using ClassChoices = std::vector<MeterRings::Choice>;  // by meter; of cells and where nothing is merged, none
+  using Choices = std::array<ClassChoices, class_count>;
   static std::vector<Emitted> emitted_by_column(const Snapshot& scene, const Plan& plan);
   // That one light path starts with; that it may bring by way of casters alone: before division by N.
   double brightest_lm(size_t column) const;
   double brightest_caustic_lm(size_t column) const;
-  NeighbourProfiles profiles_of(size_t set, size_t column, const StopSignal* stop = nullptr) const;
-  Choices choose_discs(size_t set, const StopSignal* stop = nullptr) const;
+  NeighbourProfiles profiles_of(size_t set, LightClass of, size_t column, const StopSignal* stop) const;
+  ClassChoices choose_discs(size_t set, LightClass of, const StopSignal* stop) const;
+  Choices choose_discs(size_t set, const StopSignal* stop = nullptr) const {
+    return {choose_discs(set, other_light, stop), choose_discs(set, caustic_light, stop)};
+  }
   // column: 0, all its light, or one more than that of a separated source's; all take the disc that the meter chooses.
-  MeterLight light_of(size_t set, size_t meter, const Choices& discs, size_t column) const;
+  // own: the bias of each class, as the meter tells it.
+  MeterLight light_of(size_t set, size_t meter, const Choices& discs, size_t column,
+                      std::array<OwnBias, class_count>& own) const;
   std::vector<MeterLight> lights_of(size_t set, const Choices& discs, size_t column = 0,
                                     const StopSignal* stop = nullptr) const;
   // Of a set's meters as the caller counts them: of vectors, from those of their sides, their lengths.
@@ -120,7 +128,8 @@ class Accumulator {
   std::vector<std::vector<Largest>> largest_;
   std::vector<double> largest_exact_;  // of a set, lx
   std::vector<Emitted> emitted_;
-  std::vector<MeterRings> rings_;  // a meter by all its light and the columns, these fastest; empty: nothing is merged
+  // By set and class: a meter by all its light and the columns, these fastest; empty: nothing is merged.
+  std::vector<std::array<MeterRings, class_count>> rings_;
   std::vector<uint32_t> discs_that_meet_;  // of a set, at most
   std::vector<ImageSums> images_;
   std::vector<GoniometerSums> goniometers_;

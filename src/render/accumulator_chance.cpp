@@ -49,7 +49,7 @@ CausticSearch Accumulator::search_of_mean(size_t set, const std::vector<MeterLig
     for (size_t m = 0; m < lights.size(); ++m) all.add(search_of_cell(set, m, 0));
     return all;
   }
-  if (rings_[set].empty()) return {};
+  if (rings_[set][other_light].empty()) return {};
   double weights = 0, least = INFINITY, caustics = 0;
   for (size_t m = 0; m < lights.size(); ++m) {
     if (lights[m].visits == 0) continue;  // what its disc reaches may be found right now

@@ -45,7 +45,8 @@ void add_meters(const Snapshot& scene, const Plan& plan, const std::vector<uint3
   for (size_t s = 0; s < scene.meter_sets.size(); ++s) {
     const double meters = double(scene.meter_sets[s].meters.size()), visited = std::ceil(meters / plan.meter_subsets);
     m.meters += meters * (1 + columns) *
-                (Accumulator::sum_bytes + MeterRings::bytes_per_row(rings[s], direct, plan.seeks_caustics));
+                (Accumulator::sum_bytes + MeterRings::bytes_per_row(rings[s], direct) +
+                 (plan.seeks_caustics ? MeterRings::bytes_per_row(rings[s], false) : 0));
     m.reading += meters * ((1 + columns) * Accumulator::reading_bytes + Accumulator::part_bytes);
     m.scratch = std::max(m.scratch, meters * Accumulator::scratch_bytes(rings[s] > 0));
     const MeterSet& set = scene.meter_sets[s];

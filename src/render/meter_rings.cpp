@@ -89,14 +89,23 @@ struct MeterRings::Sums {
         bound = std::max(bound, std::abs(mean(k) - lx) + std::sqrt(variance(k)));
     return bound;
   }
-  // Few photons lie closer together than spread over the widest disc they would in 99 of 100 cases: what they may bring
-  // there, 95 %; 0 where they do not.
-  double crowded(const Rings& rings) const {
+  // What a few photons that lie close together may bring there, 95 %, beyond a disc's lx: closer than spread over the
+  // widest disc they would in 98 of 100 cases; else 0. Of one that happens to be right in the middle not all the more.
+  // events: of which they come, at most.
+  double crowded(const Rings& rings, double lx, uint32_t events) const {
     const uint64_t photons = count[max_ring];
-    if (photons == 0 || photons >= few) return 0;
-    const uint32_t k = first_with(photons, rings);
-    if (std::pow(area[k] / area[max_ring], double(photons)) > 0.01) return 0;
-    return mean(k) * (1 + poisson_excess(double(photons)) / double(photons));
+    const double n = double(std::min<uint64_t>(photons, events));
+    if (n < 1 || photons >= 2 * few) return 0;
+    constexpr uint32_t to_a_hundredth = 14;  // rings
+    uint32_t from = first_with((photons + 1) / 2, rings), to = first_with(photons, rings);
+    if (n < 2) from = to = std::max(to, max_ring - std::min(max_ring, to_a_hundredth));
+    if (std::pow(area[to] / area[max_ring], n) > 0.02) return 0;
+    double most = 0;  // of discs that hold half of them or more: what holds all is up to twice as large as what they fill
+    for (uint32_t k = from; k <= to; ++k) {
+      const double here = double(count[k]) * n / double(photons);
+      if (here > 0) most = std::max(most, mean(k) * (1 + poisson_excess(here) / here));
+    }
+    return std::max(lx, most - lx);
   }
   // The last before one from which a narrower one differs.
   uint32_t widest(const Rings& rings) const {
@@ -122,7 +131,7 @@ struct MeterRings::Sums {
 MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct, bool caustics)
     : rings_(rings), flux_(rows * batch_count * rings), direct_(direct ? flux_.size() : 0),
       square_(rows * halves * rings), count_(rows * halves * rings), lean_(rows * rings * 2),
-      largest_(rows * rings), caustics_(caustics ? rows * rings : 0) {}
+      largest_(rows * rings), caustics_(caustics) {}
 
 void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t iteration) {
   const size_t of_half = (row * halves + batch % halves) * rings_ + l.ring;
@@ -130,11 +139,6 @@ void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t
   flux_[of_batch] += l.lm;
   square_[of_half] += l.lm * l.lm;
   count_up(count_[of_half], 1);
-  if (l.caustic && !caustics_.empty()) {
-    Caustic& c = caustics_[of_row];
-    c.lm += l.lm, c.lm2 += l.lm * l.lm;
-    count_up(c.photons, 1);
-  }
   // The mean direction over an octant: between pi/8 and its neighbours' edges, sin(pi/8) / (pi/8) long.
   const double near = 0.9003163, off = 0.3729232;
   const double s = l.octant & 1 ? off : near, t = l.octant & 1 ? near : off;
@@ -177,9 +181,10 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // meter may differ from them in.
 // Noise: that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few. So
 // are its photons to tell light that is narrower than a disc: `widest` is told by all. A small disc that only dim
-// photons have reached does not know its noise: as long as bright ones are due there by chance, the widest disc's tells.
+// photons have reached does not know its noise: as long as bright ones are due there by chance, the widest disc's tells;
+// of caustics, whose brightest are few and far brighter, that of all photons: wherever one lies, it makes noise.
 uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& dependence, const Told& told, double lx,
-                          uint32_t widest) {
+                          uint32_t widest, const Sums& bright, double bright_variance) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
   double b1 = 0, q1 = 0, q2 = 0, noise2[max_rings], bias2[max_rings], bias_noise2[max_rings];
@@ -192,9 +197,10 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
     const double bias = alpha * s.flux[k] + beta * b1,
                  square = alpha * alpha * s.square[k] + 2 * alpha * beta * q1 + beta * beta * q2,
                  of_noise = bias_noise2[k] = dependence.of_bias[k] * std::max(0.0, square);
-    const double photons = s.flux[last] > 0 ? s.flux[last] * s.flux[last] / s.square[last] / s.clump : 0,
+    const double photons =
+                     bright.flux[last] > 0 ? bright.flux[last] * bright.flux[last] / bright.square[last] / s.clump : 0,
                  due = photons * s.area[k] / s.area[last],
-                 noise = due < 16 ? s.variance(last) * s.area[last] / s.area[k] : 0;
+                 noise = due < 16 ? bright.variance(last) / bright_variance * s.area[last] / s.area[k] : 0;
     noise2[k] = 0.5 * dependence.of_mean[k] / s.clump * std::max(noise, s.variance(k));
     bias2[k] = std::max(0.0, bias * bias - of_noise);
     if (k >= first + quarter) bias2[k] = std::max(bias2[k], s.bias2_between(k, k - quarter, 3));
@@ -276,7 +282,9 @@ MeterRings::Choice MeterRings::choose(size_t row, const Rings& rings, uint32_t v
   for (size_t half = 0; half < halves; ++half) {
     Sums of_half = sums_of(row, rings, half, half + 1, visits_of_half(half, visits));
     of_half.clump = dependence.clump;
-    choice[1 - half] = best(of_half, rings, dependence, told, all.mean(rings.count - 1), widest);
+    const double lx = all.mean(rings.count - 1);
+    choice[1 - half] = caustics_ ? best(of_half, rings, dependence, told, lx, widest, all, 0.5)
+                                 : best(of_half, rings, dependence, told, lx, widest, of_half, 1);
   }
   return choice;
 }
@@ -298,26 +306,25 @@ RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits)
   return p;
 }
 
-// A caustic may be far narrower than the disc that serves all light best, whose noise hides that it is.
-MeterRings::Sums MeterRings::caustics_of(size_t row, const Rings& rings, uint32_t visits) const {
-  Sums s{};
-  s.clump = 1;
-  s.max_ring = rings.count - 1;
-  for (uint32_t k = 0; k < rings.count; ++k) {
-    const Caustic ring = caustics_.empty() ? Caustic{} : caustics_[row * rings_ + k];
-    const auto before = [&](const auto& sums) { return k > 0 ? sums[k - 1] : 0; };
-    s.area[k] = before(s.area) + rings.area[k];
-    s.flux[k] = before(s.flux) + ring.lm / visits;
-    s.square[k] = before(s.square) + ring.lm2 / (double(visits) * visits);
-    s.count[k] = before(s.count) + ring.photons;
-  }
-  return s;
+void MeterRings::Photons::add(const Photons& o) {
+  for (uint32_t b = 0; b < batch_count; ++b) value[b] += o.value[b], direct[b] += o.direct[b], bias[b] += o.bias[b];
+  if (o.paths.largest > paths.largest) largest_batch = o.largest_batch, largest = o.largest;
+  lx += o.lx;
+  widest = o.widest && (widest || paths.count == 0);
+  paths.add(o.paths);
+  count_up(caustics, o.caustics);
+  choice_variance += o.choice_variance;
+  bias_scale = std::max(bias_scale, o.bias_scale);
+  narrower_caustic += o.narrower;
+  halves_differ |= o.halves_differ;
+  brings_direct |= o.brings_direct;
 }
 
-MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const {
+MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits,
+                                     uint32_t others) const {
   Photons p;
-  const Sums s = whole(row, rings, visits).sums, caustics = caustics_of(row, rings, visits);
-  p.caustics = uint32_t(std::min<uint64_t>(caustics.count[rings.count - 1], UINT32_MAX));
+  const Sums s = whole(row, rings, visits).sums;
+  if (caustics_) p.caustics = uint32_t(std::min<uint64_t>(s.count[rings.count - 1], UINT32_MAX));
   if (s.count[rings.count - 1] == 0) return p;
   p.halves_differ = choice[0] != choice[1];
   p.widest = s.area[std::min(choice[0], choice[1])] == s.area[rings.count - 1];
@@ -357,13 +364,18 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const double t = t_quantile(std::max(visits, min_batches));
   const uint32_t widest = std::max(choice[0], choice[1]), outermost = rings.count - 1;
   p.narrower = s.narrower(rings, p.lx, widest);
-  if (const double all = double(s.count[outermost]) / s.clump; all < 2 * few) {
+  const double all = (double(s.count[outermost]) + others) / s.clump;
+  if (caustics_) {
+    uint32_t batches = 0;  // of a file of rays copies of one, which lie together, are in one batch
+    for (uint32_t b = 0; b < batch_count; ++b) {
+      double lm = 0;
+      for (uint32_t k = 0; k < rings.count; ++k) lm += flux(row, b, k);
+      batches += lm > 0;
+    }
+    p.narrower = std::max(p.narrower, s.crowded(rings, p.lx, batches));
+  } else if (all < 2 * few) {
     const double mean = s.mean(s.first_with(std::min(few, s.count[outermost]), rings));
     p.narrower = std::max(p.narrower, mean * (1 + 2 * t / std::sqrt(all)));
-  }
-  if (p.caustics > 0) {
-    const double lx = share * caustics.mean(choice[0]) + (1 - share) * caustics.mean(choice[1]);
-    p.narrower = std::max({p.narrower, caustics.narrower(rings, lx, widest), caustics.crowded(rings)});
   }
   return p;
 }

@@ -60,12 +60,12 @@ struct StepBias {
 
 class MeterRings {
  public:
-  // A row is a meter, or a column of one. direct: some light comes straight from emitters; caustics: some may come by way
-  // of casters alone.
+  // A row is a meter, or a column of one. direct: some light comes straight from emitters; caustics: all of it comes by
+  // way of casters alone, so that a few photons may be all that is known of it.
   MeterRings(size_t rows, uint32_t rings, bool direct, bool caustics = false);
-  static double bytes_per_row(uint32_t rings, bool direct, bool caustics) {
+  static double bytes_per_row(uint32_t rings, bool direct) {
     return rings * (sizeof(double) * (batch_count + halves + 2 + (direct ? batch_count : 0)) +
-                    sizeof(uint32_t) * halves + sizeof(Largest) + (caustics ? sizeof(Caustic) : 0));
+                    sizeof(uint32_t) * halves + sizeof(Largest));
   }
   bool empty() const { return flux_.empty(); }
   void add(size_t row, uint32_t batch, const MeterLanding& landing, uint32_t iteration);
@@ -85,17 +85,20 @@ class MeterRings {
     std::array<double, batch_count> value{}, direct{}, bias{};  // lx, sums of each batch; bias as estimated
     double lx = 0;  // mean value
     PathRecord paths;
-    uint32_t caustics = 0;  // photons of the whole disc that came by way of casters alone
+    uint32_t caustics = 0;  // of the whole disc, those that came by way of casters alone
     uint8_t largest_batch = 0;                // that with paths.largest
     SampleOrigin largest;                     // the same
     double choice_variance = 0;               // lx2, of the reading by which discs were chosen
     double bias_scale = 0;                    // of the discs: light that changes evenly is biased in proportion
-    double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
+    // lx; a least error bound: what narrower discs say, and few photons leave open. Of caustics another: added to it.
+    double narrower = 0, narrower_caustic = 0;
     bool halves_differ = false;  // in their discs
     bool widest = false;  // there are no wider ones
     bool brings_direct = false;  // light straight from emitters, too
+    void add(const Photons& caustics);  // which have discs of their own
   };
-  Photons read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits) const;
+  // others: how many photons there are besides, with discs of their own.
+  Photons read(size_t row, const Rings& rings, const Choice& choice, uint32_t visits, uint32_t others = 0) const;
 
  private:
   static constexpr size_t halves = 2;
@@ -103,12 +106,7 @@ class MeterRings {
     Sample photon;  // lm
     uint8_t batch = 0;
   };
-  struct Caustic {
-    double lm = 0, lm2 = 0;
-    uint32_t photons = 0;
-  };
   struct Sums;
-  Sums caustics_of(size_t row, const Rings& rings, uint32_t visits) const;
   Sums sums_of(size_t row, const Rings& rings, size_t begin, size_t end, uint32_t visits) const;
   struct Dependence {
     std::array<double, max_rings> of_mean, of_bias;
@@ -118,8 +116,9 @@ class MeterRings {
   Dependence dependence(size_t row, const Sums& all, const Rings& rings, uint32_t visits) const;
   struct Whole;
   Whole whole(size_t row, const Rings& rings, uint32_t visits) const;
-  static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence, const Told& told,
-                       double lx, uint32_t widest);
+  // bright: whose widest disc tells what a photon may bring, and its variance over that of sums.
+  static uint32_t best(const Sums& sums, const Rings& rings, const Dependence& dependence, const Told& told, double lx,
+                       uint32_t widest, const Sums& bright, double bright_variance);
   double flux(size_t row, uint32_t batch, uint32_t ring) const {
     return flux_[(row * batch_count + batch) * rings_ + ring];
   }
@@ -130,7 +129,7 @@ class MeterRings {
   ZeroedVector<uint32_t> count_;        // the same
   ZeroedVector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
   ZeroedVector<Largest> largest_;       // a row by a ring
-  ZeroedVector<Caustic> caustics_;      // the same; empty where none are sought
+  bool caustics_;
 };
 
 }  // namespace ups

@@ -55,14 +55,14 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
   // Light straight from emitters that no photon brings is not biased, nor has it any part in the choice of discs.
   const bool merged = may_be_merged(part), halves_differ = merged && photons.halves_differ;
   const Spread blur = merged ? bias : Spread{0, 0};
-  const double narrower = merged ? photons.narrower : 0;
+  const double narrower = merged ? photons.narrower : 0, caustic = direct ? 0 : photons.narrower_caustic;
   Spread e = halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
   if (e.standard_error < 0) return {-1.0f, -1.0f};
   if (merged) e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
   const double offset = std::abs(blur.mean);
   const double added = rounding + unfound[part];
   if (!light.is_enough(visits)) {
-    const double bound = std::max(offset + light.bound(largest[part], visits), narrower) + added;
+    const double bound = std::max(offset + light.bound(largest[part], visits), narrower) + caustic + added;
     if (apart) *apart = {.bias = float(offset), .unfound = float(bound - offset), .paths = float(light.paths)};
     return {-1.0f, float(bound)};
   }
@@ -75,25 +75,27 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
   const double t = noise ? t_quantile(visits, means, offset, e.standard_error) : t_quantile(visits, means),
                model = 0.31 * offset,
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * blur.standard_error, t * model);
+  // What caustics may be more is independent of all that.
+  const double known = std::max(bound, narrower), whole = offset + std::hypot(known - offset, caustic);
   if (apart) {
     const bool disc = merged && photons.bias_scale > 0;
     // Bias is estimated with four times the variance that merging has, batch by batch. All but rays and what bias makes
     // falls as merging does.
-    const double all = std::max(bound, narrower) - offset, own = merged ? spread(sums.bias, visits).standard_error : 0,
+    const double all = known - offset, own = merged ? spread(sums.bias, visits).standard_error : 0,
                  of_rays = std::max(0.0, std::pow(e.standard_error, 2) - photons.choice_variance - own * own / 4),
                  share = all > 0 ? t * t / (all * all) : 0, of_bias = share * model * model;
     *apart = {.noise = float(all),
               .bias = float(offset),
               .merged = float(merged && all > 0 ? std::max(0.0, 1 - share * of_rays - of_bias) : 0),
               .deviations = blur.standard_error > 0 ? float(offset / blur.standard_error) : 1e9f,
-              .unfound = float(added),
+              .unfound = float(added + whole - known),
               .paths = float(sums.caustics),
               .of_bias = float(of_bias),
               .widest = disc && photons.widest,
               .narrower = disc && !photons.widest,
               .visits = visits};
   }
-  return {float(e.standard_error), float(std::max(bound, narrower) + added)};
+  return {float(e.standard_error), float(whole + added)};
 }
 
 ups_meter_reading MeterLight::reading() const {

@@ -170,9 +170,10 @@ class Teller {
   void contributions() {
     if (r_.contributions.empty()) return line("\nIt found no light.");
     const size_t told = r_.told;
-    line(told < r_.contributions.size() ? format("\nThe %zu largest of %zu contributions; the others bring %.2g %% together:",
-                                                 told, r_.contributions.size(), 100 * r_.untold_share)
-                                        : format("\nContributions: %zu", r_.contributions.size()));
+    const size_t all = r_.contributions.size();
+    line(told < all ? format("\nThe %zu largest of %zu contributions; the others bring %.2g %% together:", told, all,
+                             100 * r_.untold_share)
+                    : format("\nContributions: %zu", all));
     for (size_t i = 0; i < r_.contributions.size(); ++i) {
       out_.contributions.push_back(contribution(r_.contributions[i]));
       if (i < told) tell(r_.contributions[i], out_.contributions.back());

@@ -50,6 +50,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
     out.bias.mean += share * side.bias.mean;
     bias_variance += std::pow(share * std::max(0.0, side.bias.standard_error), 2);
     out.photons.narrower += size * side.photons.narrower;
+    out.photons.narrower_caustic += size * side.photons.narrower_caustic;
     out.photons.choice_variance += share * share * side.photons.choice_variance;
     out.photons.bias_scale = std::max(out.photons.bias_scale, side.photons.bias_scale);
     out.photons.halves_differ |= side.photons.halves_differ;

@@ -129,7 +129,7 @@ bool looks_alike(const Material& a, const Material& b) {
 // other way covers both, as a floor covers the lower faces of what stands on it.
 uint32_t met_in_plane(const Snapshot& scene, uint32_t instance, const SurfacePoint& s) {
   constexpr float most_slant = 0.5f, parallel = 0.9999f;
-  constexpr uint32_t rays = 4;
+  constexpr uint32_t rays = 4, rays_once_met = 32;  // as only one of three is met, as rounding has it
   const auto bits = [](float v) { return std::bit_cast<uint32_t>(v); };
   const auto is_other = [&](uint32_t other) {
     return !looks_alike(material_of(scene, other), material_of(scene, instance)) ||
@@ -137,7 +137,7 @@ uint32_t met_in_plane(const Snapshot& scene, uint32_t instance, const SurfacePoi
   };
   const float gap = 0.25f * s.error;
   uint32_t met = none;
-  for (uint32_t ray = 0; ray < rays; ++ray) {
+  for (uint32_t ray = 0; ray < (met == none ? rays : rays_once_met); ++ray) {
     const auto u = philox({bits(s.p.x), bits(s.p.y), bits(s.p.z), ray}, {0, 0});
     const auto slant = [&](size_t k) { return most_slant * (2 * to_unit_float(u[k]) - 1); };
     const Vec3 d = Frame(s.ng).to_world(normalize(Vec3(slant(0), slant(1), -1)));

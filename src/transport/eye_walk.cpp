@@ -224,8 +224,7 @@ void EyeWalk::part_by_emitter(bool far) {
 // Where sources are told apart as many are drawn by their part of what the path would bring from their own emitter. A lamp
 // that is weak here is chosen seldom, and each time hardly an edge to it would get a ray: its own reading would lack what
 // few paths bring, and not know it. Not by their part of their source's: another lamp of its group may be strong and
-// hidden. An edge gets its ray by the larger of both probabilities; so up to twice as many rays are cast, and the whole of
-// a path varies a little with the draw.
+// hidden. An edge gets its ray by the larger of both probabilities; so up to twice as many rays are cast.
 void EyeWalk::test_edges() {
   size_t count[2] = {};
   for (const WaitingEdge& e : edges_) ++count[e.far];
@@ -237,13 +236,20 @@ void EyeWalk::test_edges() {
     const double certain = all ? 0 : size_of_certain_edges(far, rays, &WaitingEdge::size),
                  own = by_emitter ? size_of_certain_edges(far, rays, &WaitingEdge::part) : 1;
     double sum = all ? 0 : rng_.get_fine(tests_, tests_ ? Slot::later_edges : Slot::edges);
-    for (WaitingEdge& e : edges_) {
-      if (e.far != far) continue;
-      const double probability = all ? 1 : std::min(1.0, std::max(e.size / certain, e.part / own)), before = sum;
-      if (probability < 1 && std::floor(sum += probability) == std::floor(before)) continue;
+    const auto draw = [&](WaitingEdge& e, double probability) {
+      const double before = sum;
+      if (probability < 1 && std::floor(sum += probability) == std::floor(before)) return;
       e.found.media = &e.media;
       test_edge(e.found, e.drop, e.share / probability);
-    }
+    };
+    const auto by_size = [&](const WaitingEdge& e) { return all ? 1 : std::min(1.0, e.size / certain); };
+    const auto by_part = [&](const WaitingEdge& e) { return std::min(1.0, e.part / own); };
+    // Those that bring most by themselves, so that no weak one comes between and their number stays what it is.
+    for (WaitingEdge& e : edges_)
+      if (e.far == far && !(by_emitter && by_part(e) > by_size(e))) draw(e, by_size(e));
+    if (!by_emitter) continue;
+    for (WaitingEdge& e : edges_)
+      if (e.far == far && by_part(e) > by_size(e)) draw(e, by_part(e));
   }
   ++tests_;
   edges_.clear();

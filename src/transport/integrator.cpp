@@ -14,9 +14,9 @@ namespace ups {
 
 namespace {
 
-// Of light paths towards small casters, over those elsewhere, where photons of all kinds are read from one disc: what is
-// noise there and what a caustic's edge is told by their number, and few that weigh much would hide many that do not.
-constexpr double densest_among_others = 16;
+// Of light paths towards small casters, over those elsewhere. In a pixel photons of all kinds are merged in one disc, where
+// what is noise and what a caustic's edge is told by their number; at meters caustics have discs of their own.
+constexpr double densest_among_others = 128;
 
 bool finds_all_emitters(const Snapshot& scene, const Plan& plan) {
   for (size_t i = 0; i < plan.exact.size(); ++i)

@@ -121,15 +121,20 @@ TEST(Taught, SurfacesInTheVeryPlaneOfAnotherAreWarnedOf) {
     }
   const P3 up{0, 0, 1};
   // Two things that stand in one another on the floor have their lower faces in one plane, which the floor covers.
-  {
-    Scene scene;
-    scene.add(quad({-3, -2, 0}, {6, 0, 0}, {0, 4, 0}), matte(0.6));
-    scene.add(box({0, 0, 0}, {0.6, 0.5, 0.4}), matte(0.2));
-    scene.add(box({0.1, 0.1, 0}, {0.3, 0.3, 0.8}), matte(0.4));
-    scene.add_point_light({0, 0, 2}, 100);
-    scene.add_meters({{1, 1, 0.5}}, up);
-    EXPECT_EQ(scene_warnings(scene).find("in the very plane of another surface"), std::string::npos);
-  }
+  for (const P3& at : {P3{0, 0, 0}, P3{713, -321, 12}})
+    for (const size_t first : {0, 1, 2}) {
+      const std::pair<Shape, double> things[] = {{quad({-3, -2, 0}, {6, 0, 0}, {0, 4, 0}), 0.6},
+                                                 {box({0, 0, 0}, {0.6, 0.5, 0.4}), 0.2},
+                                                 {box({0.1, 0.1, 0}, {0.3, 0.3, 0.8}), 0.4}};
+      Scene scene;
+      for (size_t i = 0; i < 3; ++i) {
+        const auto& [shape, reflectance] = things[(first + i) % 3];
+        scene.add(shape, matte(reflectance), at);
+      }
+      scene.add_point_light(at + P3{0, 0, 2}, 100);
+      scene.add_meters({at + P3{1, 1, 0.5}}, up);
+      EXPECT_EQ(scene_warnings(scene).find("in the very plane of another surface"), std::string::npos) << first;
+    }
   const Shape room = box({-3, -2, 0}, {3, 2, 2.5}).flipped();
   EXPECT_TRUE(told(room, 0.2, {0, 0, 0}, up)) << "the floor of a room that has one already";
 }

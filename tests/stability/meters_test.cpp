@@ -63,8 +63,8 @@ Judged judge(const Result& result, const Sensor& meters, const Known& known, con
     EXPECT_NEAR(j.mean_error, 0, 0.005) << what;
   }
   measured("%s: mean error %+.2f (+- %.2f) %%, worst %.2f %%, widest bound %.2f %%, %d of %zu held", what.c_str(),
-           100 * j.mean_error, 100 * std::max(all.mean_standard_error_lx, 0.0) / std::max(all.mean_lx, 1e-9), 100 * j.worst_error,
-           100 * j.widest_bound, j.held, readings.size());
+           100 * j.mean_error, 100 * std::max(all.mean_standard_error_lx, 0.0) / std::max(all.mean_lx, 1e-9),
+           100 * j.worst_error, 100 * j.widest_bound, j.held, readings.size());
   return j;
 }
 
