@@ -209,6 +209,7 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
       if (of == other_light)
         all = bias;
       else if (own[of][m].lx > 0 && bias.standard_error >= 0 && all.standard_error >= 0)
+        lights[m].bias_apart = std::hypot(all.mean, bias.mean),
         all = {all.mean + bias.mean, std::hypot(all.standard_error, bias.standard_error)};
     }
   }
@@ -314,9 +315,12 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
     const Spread& bias = lights[m].bias;
     const bool known = readings[m].standard_error_lx >= 0;
     const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean)), rounding = sums.rounding / n;
-    batches.add({spread(sums.value, n).mean, bias, known ? lights[m].unfound[whole_light] + rounding : all,
-                 lights[m].weight, known, lights[m].photons.halves_differ, lights[m].photons.choice_variance,
-                 known && of_set >= 0 ? of_set + rounding : -1},
+    MeterError apart;
+    lights[m].error_of(whole_light, &apart);
+    const double own = known ? std::max(double(apart.unfound), lights[m].unfound[whole_light] + rounding) : all,
+                 beside = own - lights[m].unfound[whole_light] - rounding;  // caustics that few photons have told of
+    batches.add({spread(sums.value, n).mean, bias, own, lights[m].weight, known, lights[m].photons.halves_differ,
+                 lights[m].photons.choice_variance, known && of_set >= 0 ? of_set + rounding + beside : -1},
                 means, biases);
     batches.widen(double(readings[m].error_bound_lx));
     reached |= sums.batches[whole_light];

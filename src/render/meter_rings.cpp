@@ -89,23 +89,25 @@ struct MeterRings::Sums {
         bound = std::max(bound, std::abs(mean(k) - lx) + std::sqrt(variance(k)));
     return bound;
   }
-  // What a few photons that lie close together may bring there, 95 %, beyond a disc's lx: closer than spread over the
-  // widest disc they would in 98 of 100 cases; else 0. Of one that happens to be right in the middle not all the more.
-  // events: of which they come, at most.
+  // What few photons that lie close together may bring there, 95 %, beyond a disc's lx: closer than so many of all would
+  // lie, spread over the widest disc, in 98 of 100 cases; else 0. A single one that happens to be right in the middle
+  // counts no more than at a hundredth of that disc. events: of which they come, at most. Discs that hold half of them
+  // and more are looked at: one that holds all is up to twice as large as what they fill, and strays lie beyond.
   double crowded(const Rings& rings, double lx, uint32_t events) const {
     const uint64_t photons = count[max_ring];
     const double n = double(std::min<uint64_t>(photons, events));
     if (n < 1 || photons >= 2 * few) return 0;
-    constexpr uint32_t to_a_hundredth = 14;  // rings
-    uint32_t from = first_with((photons + 1) / 2, rings), to = first_with(photons, rings);
-    if (n < 2) from = to = std::max(to, max_ring - std::min(max_ring, to_a_hundredth));
-    if (std::pow(area[to] / area[max_ring], n) > 0.02) return 0;
-    double most = 0;  // of discs that hold half of them or more: what holds all is up to twice as large as what they fill
-    for (uint32_t k = from; k <= to; ++k) {
-      const double here = double(count[k]) * n / double(photons);
-      if (here > 0) most = std::max(most, mean(k) * (1 + poisson_excess(here) / here));
+    constexpr uint32_t to_a_hundredth = 7;  // rings
+    const uint32_t narrowest = max_ring - std::min(max_ring, to_a_hundredth);
+    double most = 0;
+    for (uint32_t k = first_with((photons + 1) / 2, rings); k <= max_ring; ++k) {
+      const double here = double(count[k]) * n / double(photons),
+                   ways = std::tgamma(n + 1) / (std::tgamma(here + 1) * std::tgamma(n - here + 1));
+      if (here < 1 || (here < 2 && k < narrowest)) continue;
+      if (ways * std::pow(area[k] / area[max_ring], here) <= 0.02)
+        most = std::max(most, mean(k) * (1 + poisson_excess(here) / here));
     }
-    return std::max(lx, most - lx);
+    return most > 0 ? std::max(lx, most - lx) : 0;
   }
   // The last before one from which a narrower one differs.
   uint32_t widest(const Rings& rings) const {
@@ -364,7 +366,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const double t = t_quantile(std::max(visits, min_batches));
   const uint32_t widest = std::max(choice[0], choice[1]), outermost = rings.count - 1;
   p.narrower = s.narrower(rings, p.lx, widest);
-  const double all = (double(s.count[outermost]) + others) / s.clump;
+  const double all = (double(s.count[outermost]) + others) / s.clump;  // few of both: by how many light has been found
   if (caustics_) {
     uint32_t batches = 0;  // of a file of rays copies of one, which lie together, are in one batch
     for (uint32_t b = 0; b < batch_count; ++b) {

@@ -1,6 +1,7 @@
 // What landed on point meters' discs, summed by rings, and which disc a reading takes: chosen after the photons came, so
 // that noise and bias together are least, on one half of the batches for the other half and the other way round, so that
-// the choice does not bias what is read.
+// the choice does not bias what is read. Of the other half the choice knows whether light is narrower than a disc, and of
+// caustics how bright photons are, wherever in the widest disc.
 #pragma once
 #include <array>
 #include <cmath>

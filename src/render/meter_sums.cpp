@@ -73,7 +73,7 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
              once = noise && photons.bias_scale > 0 && blur.standard_error < 3 * e.standard_error;
   const uint32_t means = halves_differ ? 2 : 1;
   const double t = noise ? t_quantile(visits, means, offset, e.standard_error) : t_quantile(visits, means),
-               model = 0.31 * offset,
+               model = 0.31 * std::max(offset, merged ? bias_apart : 0.0),
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * blur.standard_error, t * model);
   // What caustics may be more is independent of all that.
   const double known = std::max(bound, narrower), whole = offset + std::hypot(known - offset, caustic);

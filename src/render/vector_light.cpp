@@ -46,11 +46,12 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
       if (part == whole_light && size * side.unfound[part] > most_unfound)
         most_unfound = size * side.unfound[part], out.sums.caustics = side.sums.caustics;
       out.unfound[part] += size * (error < 0 ? std::max(bound, 0.0f) : float(side.unfound[part]));
+      if (part == whole_light && error >= 0) out.photons.narrower_caustic += size * side.photons.narrower_caustic;
     }
     out.bias.mean += share * side.bias.mean;
+    out.bias_apart = std::hypot(out.bias_apart, share * side.bias_apart);
     bias_variance += std::pow(share * std::max(0.0, side.bias.standard_error), 2);
     out.photons.narrower += size * side.photons.narrower;
-    out.photons.narrower_caustic += size * side.photons.narrower_caustic;
     out.photons.choice_variance += share * share * side.photons.choice_variance;
     out.photons.bias_scale = std::max(out.photons.bias_scale, side.photons.bias_scale);
     out.photons.halves_differ |= side.photons.halves_differ;

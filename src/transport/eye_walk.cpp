@@ -244,7 +244,7 @@ void EyeWalk::test_edges() {
     };
     const auto by_size = [&](const WaitingEdge& e) { return all ? 1 : std::min(1.0, e.size / certain); };
     const auto by_part = [&](const WaitingEdge& e) { return std::min(1.0, e.part / own); };
-    // Those that bring most by themselves, so that no weak one comes between and their number stays what it is.
+    // Those that bring most by themselves, so that no weak one comes between and their number varies by one at most.
     for (WaitingEdge& e : edges_)
       if (e.far == far && !(by_emitter && by_part(e) > by_size(e))) draw(e, by_size(e));
     if (!by_emitter) continue;

@@ -14,8 +14,9 @@ namespace ups {
 
 namespace {
 
-// Of light paths towards small casters, over those elsewhere. In a pixel photons of all kinds are merged in one disc, where
-// what is noise and what a caustic's edge is told by their number; at meters caustics have discs of their own.
+// Of light paths towards small casters, over those elsewhere. At meters caustics have discs of their own. A pixel merges
+// photons of all kinds in one, where what is noise and what a caustic's edge is told by their number: of a mirror of 10 cm
+// bounds there are a third of those at 16 all the same, and of single pixels no more miss theirs.
 constexpr double densest_among_others = 128;
 
 bool finds_all_emitters(const Snapshot& scene, const Plan& plan) {
