@@ -201,16 +201,18 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
     for (size_t k = 0; k < class_count; ++k) own[k].push_back(of_meter[k]);
   }
   for (const LightClass of : {other_light, caustic_light}) {
+    if (of == caustic_light && discs[of].empty()) continue;
     const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own[of]);
     const NeighbourProfiles profiles = profiles_of(set, of, column, stop);
     for (size_t m = 0; m < count; ++m) {
       Spread bias = pooled_bias(own[of][m], neighbours[m]), &all = lights[m].bias;
       if (!discs[of].empty()) bias = profiles.added_to(bias, m, discs[of][m]);
-      if (of == other_light)
+      if (of == other_light) {
         all = bias;
-      else if (own[of][m].lx > 0 && bias.standard_error >= 0 && all.standard_error >= 0)
-        lights[m].bias_apart = std::hypot(all.mean, bias.mean),
+      } else if (own[of][m].lx > 0 && bias.standard_error >= 0 && all.standard_error >= 0) {
+        lights[m].bias_apart = std::hypot(all.mean, bias.mean);
         all = {all.mean + bias.mean, std::hypot(all.standard_error, bias.standard_error)};
+      }
     }
   }
   return lights;

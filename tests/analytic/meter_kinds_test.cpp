@@ -99,8 +99,8 @@ class LitFloor : public ::testing::Test {
   // Connections and landings are noisier, 0.2 %: an error of 0.9 % is found in 99 cases of 100 of connections, where
   // P(|t_15| > 1.5) is 15 %, but seeds are fixed; of landings, whose weight is that of one over a cosine, within 0.6 %.
   // On the floor discs across the light are halved, so that merging there is off by 2 %, as the bias says: without it
-  // within 0.7 % of merging alone, which finds 1 % of one kind in 93 cases of 100, and the mean over the kinds within
-  // 0.5 %, which finds it in 99.
+  // within 0.7 % of merging alone, at 0.14 %, which finds 1 % of one kind in 98 cases of 100, and the mean over the kinds
+  // within 0.5 %, which finds it in 99.
   // light_alone: light paths do the work.
   void expect(RenderOptions options, const std::string& what, bool light_alone = false, double noise = 0.001,
               double tolerance = 0.003) {
@@ -125,7 +125,7 @@ class LitFloor : public ::testing::Test {
         const double off = mean.mean_lx - size, bias = on_floor ? double(mean.mean_bias_lx) : 0;
         EXPECT_NEAR(off, bias, tolerance * size) << of;
         EXPECT_LE(std::abs(off), std::max(tolerance * size, double(mean.mean_error_bound_lx))) << of;
-        EXPECT_LE(mean.mean_error_bound_lx, (on_floor ? 0.05 : 0.04) * size) << of;
+        EXPECT_LE(mean.mean_error_bound_lx, 0.04 * size) << of;
         over_kinds += (off - bias) / size / double(sets.size());
         continue;
       }
@@ -213,7 +213,7 @@ TEST_F(LitFloor, CellsByAllTechniques) {
 TEST_F(LitFloor, PointsOnTheFloorByMerging) {
   add_meters(false, 0);
   expect({.method = UPS_METHOD_UPS, .iterations = 80, .techniques = UPS_TECHNIQUE_MERGE}, "merging on the floor", true,
-         0.002, 0.007);
+         0.0014, 0.007);
 }
 TEST_F(LitFloor, PointsOnTheFloorByAllTechniques) {
   add_meters(false, 0);

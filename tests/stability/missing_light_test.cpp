@@ -146,10 +146,10 @@ class Taught_SmallMirror : public ::testing::Test {
  protected:
   static constexpr double candela = 800;
   const double by_mirror = 0.95 * candela * 3.7 / std::pow(5 * 5 + 3.7 * 3.7, 1.5);
-  static void build(Scene& scene, bool with_mirror) {
+  static void build(Scene& scene, bool with_mirror, double cd = candela) {
     scene.add(box({-5, -5, 0}, {5, 5, 5}).flipped(), matte(0.5));
     if (with_mirror) scene.add(quad({-1, -0.05, 1.49}, {0, 0.1, 0}, {0, 0, 0.1}), photon_mirror(0.95));
-    scene.add_point_light({3, 0, 4.5}, candela);
+    scene.add_point_light({3, 0, 4.5}, cd);
   }
   // cell: 10 cm wide, all of which the mirror lights.
   ups_meter_reading read(bool with_mirror, const RenderOptions& options, bool cell = false) const {
@@ -212,13 +212,13 @@ TEST_F(Taught_SmallMirror, IsNotMissed) {
   measured("a small mirror: %+.2f %% (+- %.2f, dark room %.2f %%), %d bounds missed",
            100 * (mean.value / right.value - 1), 100 * mean.standard_error / right.value,
            100 * right.standard_error / right.value, int(missed));
-  expect_lx(mean.value, std::hypot(mean.standard_error, right.standard_error), right.value,
-            quiet, "a small mirror");
+  expect_lx(mean.value, std::hypot(mean.standard_error, right.standard_error), right.value, quiet, "a small mirror");
 }
 
 // From renders in which one path has met the mirror, or none, to those that know its light: bounds alone are judged. Of 40
-// at 95 % more than four miss in 5 of 100 cases, of four times 40 one in 18 of 100; seeds are fixed (before: 11 to 34 of 40 from 64 light paths an iteration
-// on to 1024, 15 % too low within bounds of 3 %: few photons in a corner of a wide disc, which other light is read from).
+// at 95 % more than four miss in 5 of 100 cases, of four times 40 one in 18 of 100; seeds are fixed (before: 11 to 34 of
+// 40 from 64 light paths an iteration on to 1024, 15 % too low within bounds of 3 %: few photons in a corner of a wide
+// disc, which other light is read from).
 // The bound is wider than the reading in half of the renders of the fewest paths, and in next to none of more.
 TEST_F(Taught_SmallMirror, IsInTheBoundHoweverFewPhotonsHaveMetIt) {
   const double expected = expected_lx();
@@ -255,9 +255,7 @@ TEST_F(Taught_SmallMirror, LeavesDimMetersBesideTheirBounds) {
   float bounds[2];
   for (const bool with_mirror : {false, true}) {
     Scene scene;
-    scene.add(box({-5, -5, 0}, {5, 5, 5}).flipped(), matte(0.5));
-    if (with_mirror) scene.add(quad({-1, -0.05, 1.49}, {0, 0.1, 0}, {0, 0, 0.1}), photon_mirror(0.95));
-    scene.add_point_light({3, 0, 4.5}, 0.8);
+    build(scene, with_mirror, 1e-3 * candela);
     const Sensor meters = scene.add_meters({{3, 3, 0.8}}, {0, 0, 1});
     const ups_meter_reading r = scene.render({.iterations = 256, .light_paths = 1024}).readings(meters)[0];
     bounds[with_mirror] = r.error_bound_lx / r.illuminance_lx;
