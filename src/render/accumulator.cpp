@@ -302,7 +302,7 @@ size_t Accumulator::unvisited_meters(size_t set) const {
 // batch counts as its mean.
 void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& lights, MeterSetReading& r) const {
   const std::vector<ups_meter_reading>& readings = r.meters;
-  MeterBatches batches(std::min(plan_.meter_pass(iterations_), batch_count));
+  MeterBatches batches(std::min(plan_.meter_pass(iterations_), batch_count), discs_that_meet_[set]);
   uint16_t reached = 0;  // batches, by any path
   const double of_set = unfound_in_mean(set, lights);
   for (size_t m = 0; m < readings.size(); ++m) {
@@ -320,9 +320,9 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
     MeterError apart;
     lights[m].error_of(whole_light, &apart);
     const double own = known ? std::max(double(apart.unfound), lights[m].unfound[whole_light] + rounding) : all,
-                 beside = own - lights[m].unfound[whole_light] - rounding;  // caustics that few photons have told of
+                 doubt = known ? own - lights[m].unfound[whole_light] - rounding : 0;
     batches.add({spread(sums.value, n).mean, bias, own, lights[m].weight, known, lights[m].photons.halves_differ,
-                 lights[m].photons.choice_variance, known && of_set >= 0 ? of_set + rounding + beside : -1},
+                 lights[m].photons.choice_variance, doubt, known && of_set >= 0 ? of_set + rounding : -1},
                 means, biases);
     batches.widen(double(readings[m].error_bound_lx));
     reached |= sums.batches[whole_light];

@@ -40,6 +40,8 @@ struct RingProfile {
   // to the means of light times the direction to where it falls. A slope has none; a step at the meter, 1/pi of it.
   std::array<float, max_rings> lean_s{}, lean_t{};
   static constexpr double lean_noise = 4.87;  // of either, its variance over the disc's
+  // Of caustics: the photons' mean direction from the meter, where it is no chance, at most 2/pi; slopes are in it.
+  std::array<float, max_rings> one_sided{};
   // Whether it tells how light goes on from the disc out to one ring to a wider one. What noise such a step has is what
   // the wide disc predicts: a narrow one does not know it, and would seem to be sure where it has too few photons.
   bool has(uint32_t from, uint32_t to) const {

@@ -94,8 +94,14 @@ double MeterBatches::mean() const {
 
 double MeterBatches::unfound() const {
   double sum = 0;
-  for (const Meter& m : meters_) sum += m.weight * (m.unfound_in_mean < 0 ? m.unfound : m.unfound_in_mean);
-  return sum / weights_;
+  for (const Meter& m : meters_) sum += m.weight * (m.unfound_in_mean < 0 ? m.unfound - m.doubt : m.unfound_in_mean);
+  return sum / weights_ + doubt();
+}
+
+double MeterBatches::doubt() const {
+  double sum = 0, square = 0;
+  for (const Meter& m : meters_) sum += m.weight * m.doubt, square += std::pow(m.weight * m.doubt, 2);
+  return std::min(sum, std::sqrt(meet_ * square)) / weights_;
 }
 
 double MeterBatches::choice_variance() const {
@@ -349,8 +355,10 @@ void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter
   if (value.standard_error < 0) return;
   value.standard_error = std::sqrt(std::pow(value.standard_error, 2) + meters.choice_variance());
   if (known) s.mean_standard_error_lx = value.standard_error;
-  s.mean_error_bound_lx =
-      meters.unfound() + (known ? double(error_bound(value, bias, passes, meters.means())) : std::abs(bias.mean));
+  const double offset = std::abs(bias.mean),
+               noise = known ? double(error_bound(value, bias, passes, meters.means())) - offset : 0,
+               doubt = meters.doubt();
+  s.mean_error_bound_lx = offset + std::hypot(noise, doubt) + meters.unfound() - doubt;
   if (meters.count() == 1 && meters.stated_bound() >= 0) s.mean_error_bound_lx = meters.stated_bound();
 }
 

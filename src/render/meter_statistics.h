@@ -12,7 +12,8 @@ namespace ups {
 // The meters of a set that were visited; each batch counts as its mean.
 class MeterBatches {
  public:
-  explicit MeterBatches(uint32_t used = 0) : used_(used) {}
+  // discs_that_meet: how many meters have photons in common, at most.
+  explicit MeterBatches(uint32_t used = 0, uint32_t discs_that_meet = 1) : used_(used), meet_(discs_that_meet) {}
   struct Meter {
     double value;
     Spread bias;
@@ -21,7 +22,8 @@ class MeterBatches {
     bool known = true;  // the batches know the error of all other light
     bool halves_differ = false;  // even and odd batches have a bias of their own each
     double choice_variance = 0;  // that the batches do not show, of the choice of its disc
-    double unfound_in_mean = -1;  // where all meters together leave less open than each; < 0: the same
+    double doubt = 0;  // part of unfound: of caustics that few photons told of
+    double unfound_in_mean = -1;  // without doubt, where all meters together leave less open than each; < 0: the same
   };
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
@@ -48,6 +50,7 @@ class MeterBatches {
 
   double mean() const;
   double unfound() const;          // of the mean
+  double doubt() const;            // part of that: doubts of meters whose discs do not meet are independent
   double choice_variance() const;  // of the mean
   double stated_bound() const { return stated_; }  // of the one added last; < 0: it has none
   double told_bias() const;  // of the mean, as neighbours and profiles tell it of each
@@ -60,7 +63,7 @@ class MeterBatches {
   MeterBatches moved(double sign) const;
 
  private:
-  uint32_t used_, means_ = 1;
+  uint32_t used_, meet_, means_ = 1;
   std::vector<Meter> meters_;
   std::vector<float> batches_, widened_;
   double bias_sums_[batch_count] = {};
