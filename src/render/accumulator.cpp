@@ -52,7 +52,8 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     const size_t rows = rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0;
     rings_.push_back({MeterRings(rows, rings, plan.merges_direct_light()),
                       MeterRings(plan.seeks_caustics ? rows : 0, rings, false, true)});
-    discs_that_meet_.push_back(rings ? plan.meter_discs[s].most_that_meet(set.meters) : 1);
+    const uint32_t sides = set.kind == UPS_METER_VECTOR ? vector_sides : 1;  // of one, which look elsewhere
+    discs_that_meet_.push_back(rings ? (plan.meter_discs[s].most_that_meet(set.meters) + sides - 1) / sides : 1);
   }
   for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);
 }
@@ -319,10 +320,11 @@ void Accumulator::add_statistics(size_t set, const std::vector<MeterLight>& ligh
     const double all = std::max(0.0, readings[m].error_bound_lx - std::abs(bias.mean)), rounding = sums.rounding / n;
     MeterError apart;
     lights[m].error_of(whole_light, &apart);
-    const double own = known ? std::max(double(apart.unfound), lights[m].unfound[whole_light] + rounding) : all,
-                 doubt = known ? own - lights[m].unfound[whole_light] - rounding : 0;
+    const double unfound = lights[m].unfound[whole_light] + rounding,
+                 own = known ? std::max(double(apart.unfound), unfound) : all;
     batches.add({spread(sums.value, n).mean, bias, own, lights[m].weight, known, lights[m].photons.halves_differ,
-                 lights[m].photons.choice_variance, doubt, known && of_set >= 0 ? of_set + rounding : -1},
+                 lights[m].photons.choice_variance, known ? lights[m].photons.caustic : NarrowLight(),
+                 !known ? -1 : of_set >= 0 ? of_set + rounding : unfound},
                 means, biases);
     batches.widen(double(readings[m].error_bound_lx));
     reached |= sums.batches[whole_light];

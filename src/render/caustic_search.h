@@ -9,11 +9,11 @@ struct CausticSearch {
   double m2 = 0;     // where light paths would be found, summed over iterations
   double paths = 0;  // that were found there, by way of casters alone
 
+  static constexpr double enough = 8;  // paths, for the spread of what came to know its error
   void add(const CausticSearch& o) { m2 += o.m2, paths += o.paths; }
   // 95 %, lx, of what was not found, where a light path starts with so many lm; 0 where nothing was looked for, or
   // where enough came for the spread of what came to know its error.
   double unfound_lx(double brightest_lm, uint32_t light_paths) const {
-    constexpr double enough = 8;
     if (!(m2 > 0) || paths >= enough || light_paths == 0) return 0;
     return brightest_lm * poisson_excess(paths) / (light_paths * m2);
   }

@@ -54,7 +54,8 @@ void IlluminanceSums::read_bounds(const std::vector<uint32_t>& visits, uint32_t 
     if (!whole) continue;
     const double noise = double(r.standard_error[p]);
     const Spread bias = merges_ ? merges_->bias.of_pixel(p, n, r.lx[p], squares) : Spread{0, 0};
-    r.error_bound[p] = noise >= 0 ? error_bound({r.lx[p], noise}, bias, n)
+    const double few = unfound[tiles_.of(p)].noise(n);
+    r.error_bound[p] = noise >= 0 ? error_bound({r.lx[p], std::hypot(noise, few)}, bias, n)
                                   : float(std::abs(bias.mean) + light.bound(largest[tiles_.of(p)], n));
     r.error_bound[p] += float(unfound[tiles_.of(p)].lx);
   }

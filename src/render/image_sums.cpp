@@ -180,7 +180,8 @@ void ImageSums::read_bounds(uint32_t passes, const std::vector<uint32_t>& visits
   for (uint32_t p = 0; p < light.size(); ++p) {
     const double noise = luminance_at(r.standard_error_rgb, p);
     const Spread bias = merges_ ? merges_->bias.of_pixel(p, visits[p], light[p], errors.squares) : Spread{0, 0};
-    r.error_bound[p] = noise >= 0 ? ups::error_bound({light[p], noise}, bias, passes)
+    const double few = errors.unfound[tiles_.of(p)].noise(visits[p]);
+    r.error_bound[p] = noise >= 0 ? ups::error_bound({light[p], std::hypot(noise, few)}, bias, passes)
                                   : float(std::abs(bias.mean) + chance(p, passes).bound(largest[tiles_.of(p)], passes));
     r.error_bound[p] += float(errors.unfound[tiles_.of(p)].lx / pi_d);  // of a white surface
   }

@@ -18,7 +18,7 @@ Quantity meter_of(const MeterBatches& meters, size_t m) {
 // Of one meter what its own reading says, as its bound has what batches do not tell.
 Quantity mean_of(const MeterBatches& meters) {
   if (meters.count() == 1) return meter_of(meters, 0);
-  Quantity q{meters.mean(), {}, {}, 0, 0, meters.unfound(), meters.choice_variance()};
+  Quantity q{meters.mean(), {}, {}, 0, 0, meters.unfound() + meters.caustic().size(), meters.choice_variance()};
   for (uint32_t b = 0; b < meters.used(); ++b) {
     q.batches[b] = meters.mean_of_batch(b);
     q.bias_batches[b] = meters.bias_of_batch(b);

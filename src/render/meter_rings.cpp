@@ -50,9 +50,9 @@ struct BiasKernel {
   }
 };
 
-// Of a Poisson number that has this mean: the square of the standard deviations at which a normal number is as rare. Its
-// deviance (McCullagh, Nelder 1989, Generalized Linear Models, 2.3), from half an event nearer, as events are whole: none
-// of 6.9 are as rare as 3.2 deviations, where it is 3.1, and 8 of 0.5 as 5.2, where it is 5.3.
+// Of a Poisson number that has this mean: the square of the standard deviations at which a normal number is as rare, to one
+// side. Its deviance (McCullagh, Nelder 1989, Generalized Linear Models, 2.3), from half an event nearer, as events are
+// whole: none of 6.9 are as rare as 3.1 deviations, where its root is 3.2, and 8 of 0.5 as 5.3, where it is 5.2.
 double poisson_deviance(double events, double mean) {
   const double n = events < mean ? std::min(events + 0.5, mean) : std::max(events - 0.5, mean);
   return n > 0 ? 2 * (n * std::log(n / mean) - n + mean) : 2 * mean;
@@ -88,33 +88,34 @@ struct MeterRings::Sums {
                           clump * (square[k] - square[narrower]) / (area[k] * area[k]);
     return std::max(0.0, d * d - times * noise2);
   }
-  // A least error bound of a disc's lx: what narrower ones say.
-  double narrower(const Rings& rings, double lx, uint32_t disc) const {
-    double bound = 0;
+  // What discs narrower than one of these lx say.
+  NarrowLight narrower(const Rings& rings, double lx, uint32_t disc) const {
+    NarrowLight most;
     for (uint32_t k = rings.narrowest; k < disc; ++k)
       if (differs(k, lx, likely) && (mean(k) < lx || double(count[k]) >= clump * few))
-        bound = std::max(bound, std::abs(mean(k) - lx) + std::sqrt(variance(k)));
-    return bound;
+        most = larger(most, {mean(k) - lx, std::sqrt(variance(k))});
+    return most;
   }
+  static NarrowLight larger(const NarrowLight& a, const NarrowLight& b) { return a.size() < b.size() ? b : a; }
   // What few photons that lie close together may bring there, 95 %, beyond a disc's lx: closer than so many of all would
   // lie, spread over the widest disc, in 98 of 100 cases; else 0. A single one that happens to be right in the middle
   // counts no more than at a hundredth of that disc. events: of which they come, at most. Discs that hold half of them
   // and more are looked at: one that holds all is up to twice as large as what they fill, and strays lie beyond.
-  double crowded(const Rings& rings, double lx, uint32_t events) const {
+  NarrowLight crowded(const Rings& rings, double lx, uint32_t events) const {
     const uint64_t photons = count[max_ring];
     const double n = double(std::min<uint64_t>(photons, events));
-    if (n < 1 || photons >= 2 * few) return 0;
+    if (n < 1 || photons >= 2 * few) return {};
     constexpr uint32_t to_a_hundredth = 7;  // rings
     const uint32_t narrowest = max_ring - std::min(max_ring, to_a_hundredth);
-    double most = 0;
+    NarrowLight most;
     for (uint32_t k = first_with((photons + 1) / 2, rings); k <= max_ring; ++k) {
       const double here = double(count[k]) * n / double(photons),
                    ways = std::tgamma(n + 1) / (std::tgamma(here + 1) * std::tgamma(n - here + 1));
       if (here < 1 || (here < 2 && k < narrowest)) continue;
       if (ways * std::pow(area[k] / area[max_ring], here) <= 0.02)
-        most = std::max(most, mean(k) * (1 + poisson_excess(here) / here));
+        most = larger(larger(most, {0, lx}), {mean(k) - lx, mean(k) * poisson_excess(here) / here});
     }
-    return most > 0 ? std::max(lx, most - lx) : 0;
+    return most;
   }
   // The last before one from which a narrower one differs.
   uint32_t widest(const Rings& rings) const {
@@ -308,9 +309,11 @@ RingProfile MeterRings::profile(size_t row, const Rings& rings, uint32_t visits)
     const double r = std::sqrt(rings.radius2[k]), *lean = &lean_[(row * rings_ + k) * 2];
     m0 += rings.area[k], m1 += rings.area[k] * r, m2 += rings.area[k] * r * r;
     s0 += lean[0], s1 += r * lean[0], t0 += lean[1], t1 += r * lean[1];
-    // Of n directions at random the mean's square exceeds 2 / n in 14 of 100 cases (Rayleigh 1919).
+    // Of n directions at random the mean's square exceeds 2 / n in 14 of 100 cases (Rayleigh 1919). Half discs lean
+    // whatever falls on them.
     const double toward2 = (s0 * s0 + t0 * t0) / (double(visits) * visits);
-    if (caustics_ && toward2 > 2 * sums.variance(k) * sums.area[k] * sums.area[k])
+    if (caustics_ && rings.bias_scale[k] == rings.radius2[k] &&
+        toward2 > 2 * sums.variance(k) * sums.area[k] * sums.area[k])
       p.one_sided[k] = float(std::sqrt(toward2) / sums.flux[k]);
     const double determinant = (m0 * m2 - m1 * m1) * visits * p.lx;
     if (!(m0 * m2 - m1 * m1 > 1e-9 * m0 * m2)) continue;
@@ -328,7 +331,7 @@ void MeterRings::Photons::add(const Photons& o) {
   count_up(caustics, o.caustics);
   choice_variance += o.choice_variance;
   bias_scale = std::max(bias_scale, o.bias_scale);
-  narrower_caustic += o.narrower;
+  caustic.shift += o.caustic.shift, caustic.chance += o.caustic.chance;
   halves_differ |= o.halves_differ;
   brings_direct |= o.brings_direct;
 }
@@ -377,7 +380,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const double t = t_quantile(std::max(visits, min_batches));
   const uint32_t outermost = rings.count - 1;
   // Narrower than both: between them `choice_variance` tells, and the reading has more noise than a disc.
-  p.narrower = s.narrower(rings, p.lx, std::min(choice[0], choice[1]));
+  const NarrowLight narrower = s.narrower(rings, p.lx, std::min(choice[0], choice[1]));
   const double all = (double(s.count[outermost]) + others) / s.clump;  // few of both: by how many light has been found
   if (caustics_) {
     uint32_t batches = 0;  // of a file of rays copies of one, which lie together, are in one batch
@@ -386,10 +389,11 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
       for (uint32_t k = 0; k < rings.count; ++k) lm += flux(row, b, k);
       batches += lm > 0;
     }
-    p.narrower = std::max(p.narrower, s.crowded(rings, p.lx, batches));
-  } else if (all < 2 * few) {
+    p.caustic = Sums::larger(narrower, s.crowded(rings, p.lx, batches));
+  } else {
+    p.narrower = narrower.size();
     const double mean = s.mean(s.first_with(std::min(few, s.count[outermost]), rings));
-    p.narrower = std::max(p.narrower, mean * (1 + 2 * t / std::sqrt(all)));
+    if (all < 2 * few) p.narrower = std::max(p.narrower, mean * (1 + 2 * t / std::sqrt(all)));
   }
   return p;
 }

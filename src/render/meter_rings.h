@@ -40,7 +40,8 @@ struct RingProfile {
   // to the means of light times the direction to where it falls. A slope has none; a step at the meter, 1/pi of it.
   std::array<float, max_rings> lean_s{}, lean_t{};
   static constexpr double lean_noise = 4.87;  // of either, its variance over the disc's
-  // Of caustics: the photons' mean direction from the meter, where it is no chance, at most 2/pi; slopes are in it.
+  // Of caustics: length of the photons' mean direction from the meter, where chance makes it so long in 14 of 100 cases at
+  // most; 2/pi where light ends at the meter. Slopes are in it.
   std::array<float, max_rings> one_sided{};
   // Whether it tells how light goes on from the disc out to one ring to a wider one. What noise such a step has is what
   // the wide disc predicts: a narrow one does not know it, and would seem to be sure where it has too few photons.
@@ -59,6 +60,13 @@ struct StepBias {
   double own_variance = 0, told_variance = 0;  // of what the meter differs from its neighbours in; of their mean
   double variance() const { return own_variance + told_variance; }
   bool is_beyond(double errors) const { return mean * mean > errors * errors * variance(); }
+};
+
+// Of a caustic that may be narrower than the disc it is read from, lx: what narrower discs say more or less than the
+// reading, and what of that is chance, or on either side of it, 95 %.
+struct NarrowLight {
+  double shift = 0, chance = 0;
+  double size() const { return std::abs(shift) + chance; }
 };
 
 class MeterRings {
@@ -93,8 +101,8 @@ class MeterRings {
     SampleOrigin largest;                     // the same
     double choice_variance = 0;               // lx2, of the reading by which discs were chosen
     double bias_scale = 0;                    // of the discs: light that changes evenly is biased in proportion
-    // lx; a least error bound: what narrower discs say, and few photons leave open. Of caustics another: added to it.
-    double narrower = 0, narrower_caustic = 0;
+    double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
+    NarrowLight caustic;  // that may be added to it
     bool halves_differ = false;  // in their discs
     bool widest = false;  // there are no wider ones
     bool brings_direct = false;  // light straight from emitters, too

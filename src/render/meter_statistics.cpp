@@ -94,14 +94,18 @@ double MeterBatches::mean() const {
 
 double MeterBatches::unfound() const {
   double sum = 0;
-  for (const Meter& m : meters_) sum += m.weight * (m.unfound_in_mean < 0 ? m.unfound - m.doubt : m.unfound_in_mean);
-  return sum / weights_ + doubt();
+  for (const Meter& m : meters_) sum += m.weight * (m.unfound_in_mean < 0 ? m.unfound : m.unfound_in_mean);
+  return sum / weights_;
 }
 
-double MeterBatches::doubt() const {
-  double sum = 0, square = 0;
-  for (const Meter& m : meters_) sum += m.weight * m.doubt, square += std::pow(m.weight * m.doubt, 2);
-  return std::min(sum, std::sqrt(meet_ * square)) / weights_;
+NarrowLight MeterBatches::caustic() const {
+  NarrowLight sum;
+  double square = 0;
+  for (const Meter& m : meters_) {
+    sum.shift += m.weight * m.caustic.shift, sum.chance += m.weight * m.caustic.chance;
+    square += std::pow(m.weight * m.caustic.chance, 2);
+  }
+  return {sum.shift / weights_, std::min(sum.chance, std::sqrt(meet_ * square)) / weights_};
 }
 
 double MeterBatches::choice_variance() const {
@@ -125,7 +129,7 @@ double MeterBatches::mean_of_batch(uint32_t b) const {
 // First order: (x_b - r mean_b) / mean about r = x / mean.
 MeterBatches MeterBatches::over_mean() const {
   MeterBatches out(used_);
-  const double mean = this->mean(), unfound = this->unfound();
+  const double mean = this->mean(), unfound = this->unfound() + caustic().size();
   double of_set[batch_count], own[batch_count];
   const double no_bias[batch_count] = {};
   for (uint32_t b = 0; b < used_; ++b) of_set[b] = mean_of_batch(b);
@@ -356,9 +360,9 @@ void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter
   value.standard_error = std::sqrt(std::pow(value.standard_error, 2) + meters.choice_variance());
   if (known) s.mean_standard_error_lx = value.standard_error;
   const double offset = std::abs(bias.mean),
-               noise = known ? double(error_bound(value, bias, passes, meters.means())) - offset : 0,
-               doubt = meters.doubt();
-  s.mean_error_bound_lx = offset + std::hypot(noise, doubt) + meters.unfound() - doubt;
+               noise = known ? double(error_bound(value, bias, passes, meters.means())) - offset : 0;
+  const NarrowLight caustic = meters.caustic();
+  s.mean_error_bound_lx = meters.unfound() + offset + std::abs(caustic.shift) + std::hypot(noise, caustic.chance);
   if (meters.count() == 1 && meters.stated_bound() >= 0) s.mean_error_bound_lx = meters.stated_bound();
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/meter_rings.h"
 #include "render/spread.h"
 #include "ups/ups_render.h"
 
@@ -22,8 +23,8 @@ class MeterBatches {
     bool known = true;  // the batches know the error of all other light
     bool halves_differ = false;  // even and odd batches have a bias of their own each
     double choice_variance = 0;  // that the batches do not show, of the choice of its disc
-    double doubt = 0;  // part of unfound: of caustics that few photons told of
-    double unfound_in_mean = -1;  // without doubt, where all meters together leave less open than each; < 0: the same
+    NarrowLight caustic;         // in the mean; what it adds to the meter's own error is in `unfound`
+    double unfound_in_mean = -1;  // without it, and where all meters together leave less open than each; < 0: the same
   };
   // Means of `used` batches each.
   void add(const Meter& meter, const double* batch, const double* bias_batch);
@@ -50,7 +51,7 @@ class MeterBatches {
 
   double mean() const;
   double unfound() const;          // of the mean
-  double doubt() const;            // part of that: doubts of meters whose discs do not meet are independent
+  NarrowLight caustic() const;     // of the mean, not in unfound(): chance is independent where discs do not meet
   double choice_variance() const;  // of the mean
   double stated_bound() const { return stated_; }  // of the one added last; < 0: it has none
   double told_bias() const;  // of the mean, as neighbours and profiles tell it of each

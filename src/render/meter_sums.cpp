@@ -55,7 +55,7 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
   // Light straight from emitters that no photon brings is not biased, nor has it any part in the choice of discs.
   const bool merged = may_be_merged(part), halves_differ = merged && photons.halves_differ;
   const Spread blur = merged ? bias : Spread{0, 0};
-  const double narrower = merged ? photons.narrower : 0, caustic = direct ? 0 : photons.narrower_caustic;
+  const double narrower = merged ? photons.narrower : 0, caustic = direct ? 0 : photons.caustic.size();
   Spread e = halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
   if (e.standard_error < 0) return {-1.0f, -1.0f};
   if (merged) e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));

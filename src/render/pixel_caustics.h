@@ -14,15 +14,22 @@ namespace ups {
 // nothing that is seen elsewhere says where it may be.
 class PixelCaustics {
  public:
-  static constexpr double bytes_per_pixel = 24.0 / (Units::side * Units::side);
+  static constexpr double bytes_per_pixel = 40.0 / (Units::side * Units::side);
   PixelCaustics(uint32_t width, uint32_t height) : tiles_(width, height), of_tile_(tiles_.count()) {}
 
   void add(uint32_t pixel, const PixelMerges& merges) {
-    of_tile_[tiles_.of(pixel)].add({{double(merges.disc_m2), double(merges.caustics)}, 1, merges.disc_m2 > 0});
+    of_tile_[tiles_.of(pixel)].add({{double(merges.disc_m2), double(merges.caustics)},
+                                    double(merges.looked_m2), double(merges.caustic_light), 1, merges.disc_m2 > 0});
   }
   struct Unfound {
     double lx = 0;       // in the mean over the tile, parts of which may see nothing that light falls on
     double photons = 0;  // that were found
+    double light = 0, of_visit = 0;  // luminance, lx, that they bring in the mean; how many are due in a pixel's disc
+    // Standard error of that light in a pixel, where so few photons are due that its batches do not know it.
+    double noise(uint32_t visits) const {
+      const double due = of_visit * visits;
+      return due > 0 && due < CausticSearch::enough ? light / std::sqrt(due) : 0;
+    }
   };
   // By tile. Of a light path that starts with so many lm.
   std::vector<Unfound> unfound(double brightest_lm, uint32_t light_paths) const {
@@ -32,7 +39,10 @@ class PixelCaustics {
       tiles_.each_around(t, [&](size_t tile) { all.add(of_tile_[tile]); });
       const double lx = all.search.unfound_lx(brightest_lm, light_paths);
       const Tile& own = of_tile_[t];
-      out.push_back({own.visits > 0 ? lx * own.seen / own.visits : lx, all.search.paths});
+      const double of_seen = all.seen > 0 ? 1.0 / all.seen : 0,
+                   density = all.search.m2 > 0 ? all.search.paths / all.search.m2 : 0;
+      out.push_back({own.visits > 0 ? lx * own.seen / own.visits : lx, all.search.paths, all.light * of_seen,
+                     density * all.looked_m2 * of_seen});
     }
     return out;
   }
@@ -40,8 +50,12 @@ class PixelCaustics {
  private:
   struct Tile {
     CausticSearch search;
-    uint32_t visits = 0, seen = 0;  // of its pixels, together; with a disc
-    void add(const Tile& o) { search.add(o.search), count_up(visits, o.visits), count_up(seen, o.seen); }
+    double looked_m2 = 0, light = 0;  // sums of PixelMerges'
+    uint32_t visits = 0, seen = 0;    // of its pixels, together; with a disc
+    void add(const Tile& o) {
+      search.add(o.search), looked_m2 += o.looked_m2, light += o.light;
+      count_up(visits, o.visits), count_up(seen, o.seen);
+    }
   };
   const Tiles tiles_;
   std::vector<Tile> of_tile_;

@@ -120,10 +120,21 @@ StepBias NeighbourProfiles::bias(size_t m, const RingProfile& own, uint32_t ring
   return found;
 }
 
+// Of a caustic: few photons do not tell an edge from a slope by that fit, and caustics have edges. One at the meter makes
+// their mean direction 2/pi long, one at half a radius 0.21, and takes a fourth of what is read. A slope biases little and
+// makes it a third of what it changes over the radius, 1/3 at most: what is short counts less. Many photons do tell.
+double NeighbourProfiles::caustic_lean(const RingProfile& p, uint32_t ring) {
+  const double one_sided = double(p.one_sided[ring]),
+               edge = one_sided * std::min(1.0, std::pow(4 * one_sided, 3)) * double(p.mean[ring]),
+               fit = std::hypot(double(p.lean_s[ring]), double(p.lean_t[ring])),
+               noise = std::sqrt(2 * RingProfile::lean_noise * double(p.variance[ring]));
+  return std::min(edge, fit + 2 * noise);
+}
+
 // A step beside the meter leans by 1/pi of its height, and half of its height is the bias. On which side the meter is
 // does not show. Within a wide disc several steps may be like a slope: then a narrower one shows the nearest.
 double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
-  double square = 0, sure = 0, most = 0;
+  double square = 0, sure = 0;
   for (uint32_t down = 0; down <= std::min(quarter, ring); down += narrower) {
     StepBias lean[2];
     for (const bool t : {false, true}) {
@@ -139,14 +150,8 @@ double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
                  length2 = lean[0].mean * lean[0].mean + lean[1].mean * lean[1].mean,
                  surely = std::sqrt(length2) - certain * std::sqrt(variance);
     if (surely > sure) sure = surely, square = length2 - variance;
-    if (down == 0) most = std::sqrt(length2) + 2 * std::sqrt(variance);
   }
-  // Few photons do not tell edge from slope, and caustics have edges. One at the meter makes their mean direction 2/pi
-  // long, at half a radius 0.21, where it takes a fourth of the mean. Slopes of smooth light, which bias less, make it
-  // 0.1 at most.
-  const double one_sided = double(meters_[m].one_sided[ring]),
-               caustic = one_sided * std::min(1.0, std::pow(4 * one_sided, 3)) * double(meters_[m].mean[ring]);
-  return 0.5 * pi_d * std::max(std::sqrt(square), std::min(caustic, most));
+  return 0.5 * pi_d * std::max(std::sqrt(square), caustic_lean(meters_[m], ring));
 }
 
 // What the meter may differ from its neighbours in stands for twice its standard error, 95 %: a bound counts it once.

@@ -36,6 +36,7 @@ class NeighbourProfiles {
   StepBias together(size_t m, const RingProfile& own, double sure, const StepBias& alone, const Of& estimate) const;
   StepBias bias_from(size_t m, const RingProfile& own, uint32_t from, uint32_t ring, double sure) const;
   StepBias bias(size_t m, const RingProfile& own, uint32_t ring, double sure) const;
+  static double caustic_lean(const RingProfile& p, uint32_t ring);
   double bias_by_edge(size_t m, uint32_t ring) const;
   std::vector<RingProfile> meters_;
 };

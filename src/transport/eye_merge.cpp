@@ -21,6 +21,7 @@ void EyeWalk::count_disc(const EyeEnd& eye, float area) {
   counted_edges_ = eye.edges;
   tally_.disc_m2 = std::min(area, own);
   counted_share_ = tally_.disc_m2 / area;
+  tally_.looked_m2 = area;
 }
 
 // Of a crowd of photons each k-th counts, k times: what is merged stays the same in the mean, and a light path that
@@ -33,7 +34,8 @@ uint32_t EyeWalk::thin(const EyeEnd& eye, PhotonIndex::Query& query) {
   query.first = std::min(uint32_t(rng_.get(eye.edges, Slot::crowd) * float(query.stride)), query.stride - 1);
   ++work_.crowds;
   work_.largest_crowd = std::max(work_.largest_crowd, query.candidates);
-  if (eye.edges == counted_edges_) tally_.disc_m2 /= float(query.stride);  // so much of it was looked at
+  if (eye.edges == counted_edges_)  // so much of it was looked at
+    tally_.disc_m2 /= float(query.stride), tally_.looked_m2 /= float(query.stride);
   return query.stride;
 }
 
@@ -71,7 +73,10 @@ void EyeWalk::merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon,
   const float bias = 2 * luminance(c->value) * weight * (2 * d2 < r2 ? -1.0f : 1.0f);
   if (!std::isfinite(bias)) return;
   tally_.bias += bias;
-  if (light.casters && !light.first && eye.edges == counted_edges_) tally_.caustics += counted_share_;
+  if (light.casters && !light.first && eye.edges == counted_edges_) {
+    tally_.caustics += counted_share_;
+    tally_.caustic_light += luminance(c->value) * weight;
+  }
   keep_separated(c->emitter, 0.0, 0.0, bias);
 }
 

@@ -198,18 +198,19 @@ TEST(MeterRings, StrayPhotonsHideNoNarrowCaustic) {
   EXPECT_LE(std::abs(r.illuminance_lx - 17 - lx), r.error_bound_lx);
 }
 
-// Light of caustics that is even leaves holes about the meter by chance, and clusters: they widen no bound. 2000 readings;
-// four standard deviations and some twenty discs, most of whose photons are the same. Before (by the roots of numbers of
-// photons, as if none of seven were one chance of 30,000 and not of a thousand) OLD.
+// Light of caustics that is even leaves holes about the meter by chance, and clusters: they widen no bound. 20,000 readings of
+// 470 photons, four standard deviations, and some eight discs, most of whose photons are the same: one is to be expected,
+// more than four in 4 of 1000 cases; seeds are fixed (15 where the roots of numbers told photons apart).
 TEST(MeterRings, HolesThatChanceLeavesWidenNoBound) {
-  const Field uniform{"", {even(10)}, 2000, 0};
+  const Field uniform{"", {even(10)}, 60, 0};
   int wide = 0;
-  for (uint64_t seed = 0; seed < 2000; ++seed) {
+  for (uint64_t seed = 0; seed < 20000; ++seed) {
     Rig rig(seed);
     rig.fill(uniform, true, true);
-    wide += rig.caustics.read(0, rig.rings, rig.caustics.choose(0, rig.rings, batch_count), batch_count).narrower > 0;
+    const MeterRings::Choice choice = rig.caustics.choose(0, rig.rings, batch_count);
+    wide += rig.caustics.read(0, rig.rings, choice, batch_count).caustic.size() > 0;
   }
-  EXPECT_LE(wide, 2);
+  EXPECT_LE(wide, 4);
 }
 
 // Few of them far apart say nothing of light that is narrow.

@@ -273,22 +273,22 @@ TEST(MeterStatistics, TheMeanOfOneMeterIsAsWideAsTheMeter) {
   EXPECT_NEAR(r.interval.high, 0.65, 1e-6);
 }
 
-// What few caustic photons told of nine meters, 3 lx each: of discs that do not meet it is independent, and of noise; of
-// discs that all find the same photons it adds up. A ratio to the mean adds it to the meter's own.
-TEST(MeterStatistics, DoubtsOfSeveralMetersAreIndependentButWhereDiscsMeet) {
+// Caustics that may be narrower than the discs of nine meters. What is chance of them is independent, and of noise; of discs
+// that all find the same photons it adds up, as what narrower discs show does. A ratio to the mean adds it to the meter's own.
+TEST(MeterStatistics, NarrowCausticsOfSeveralMetersAreIndependentButWhereDiscsMeet) {
   double batch[batch_count];
   const double no_bias[batch_count] = {};
   for (uint32_t b = 0; b < batch_count; ++b) batch[b] = 100 + (b % 2 ? 1 : -1);
   const double noise = 2.131 * std::sqrt(1.0 / 15);
-  for (const uint32_t meet : {1u, 4u, 9u, 100u}) {
-    MeterBatches meters(batch_count, meet);
-    for (int m = 0; m < 9; ++m) meters.add({100, {0, 0}, 3.5, 1, true, false, 0, 3, 0.25}, batch, no_bias);
-    const double doubt = meet == 1 ? 1 : meet == 4 ? 2 : 3;
-    EXPECT_NEAR(meters.doubt(), doubt, 1e-9);
-    EXPECT_NEAR(meters.unfound(), 0.25 + doubt, 1e-9);
-    EXPECT_NEAR(meter_statistics(meters, 32, true).mean_error_bound_lx, 0.25 + std::hypot(noise, doubt), 1e-3);
-    EXPECT_NEAR(meters.over_mean().unfound(0), (3.5 + 0.25 + doubt) / 100, 1e-6);
-  }
+  for (const uint32_t meet : {1u, 4u, 9u, 100u})
+    for (const double shift : {0.0, -2.0}) {
+      MeterBatches meters(batch_count, meet);
+      for (int m = 0; m < 9; ++m)
+        meters.add({100, {0, 0}, 3.5, 1, true, false, 0, {m % 3 ? shift : -shift, 3}, 0.25}, batch, no_bias);
+      const double chance = meet == 1 ? 1 : meet == 4 ? 2 : 3, both = std::abs(shift) / 3;
+      EXPECT_NEAR(meter_statistics(meters, 32, true).mean_error_bound_lx, 0.25 + both + std::hypot(noise, chance), 1e-3);
+      EXPECT_NEAR(meters.over_mean().unfound(0), (3.5 + 0.25 + both + chance) / 100, 1e-6);
+    }
 }
 
 // A ratio to a mean that is off by more than half of itself is not known to first order; the minimum is known.

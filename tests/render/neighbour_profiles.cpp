@@ -28,16 +28,19 @@ struct Figures {
 struct Row {
   Figures alone, together;
 
-  Row(const Light& light, double most, double photons, bool caustics = false) : caustics_(caustics) {
+  // every: of which meters figures are.
+  Row(const Light& light, double most, double photons, bool caustics = false, size_t every = 1)
+      : caustics_(caustics), every_(every) {
     std::mt19937_64 random(7);
     for (int i = 0; i < renders; ++i) render(light, most, photons, random);
     for (Figures* f : {&alone, &together})
-      f->error = std::sqrt(f->error / count), f->held /= count, f->bound /= count;
+      f->error = std::sqrt(f->error / count()), f->held /= count(), f->bound /= count();
   }
 
  private:
-  static constexpr double count = double(meters) * renders;
   bool caustics_;
+  size_t every_;
+  double count() const { return double(meters / every_) * renders; }
 
   void render(const Light& light, double most, double photons, std::mt19937_64& random) {
     const MeterDiscs discs(meters, max_rings, radius);
@@ -58,7 +61,7 @@ struct Row {
     std::vector<RingProfile> profiles;
     for (size_t m = 0; m < meters; ++m) profiles.push_back(sums.profile(m, rings, batch_count));
     const NeighbourProfiles neighbours(profiles);
-    for (size_t m = 0; m < meters; ++m) {
+    for (size_t m = 0; m < meters; m += every_) {
       MeterRings::Told told;
       add(sums, rings, m, told, nullptr, light(m, 0, 0), alone);
       told.steps = [&](const RingProfile& half, uint32_t ring) {
@@ -105,16 +108,24 @@ TEST(NeighbourProfiles, ShowAnEdgeAtTheMetersByItsLean) {
   EXPECT_GT(row.together.held, 0.87);
 }
 
-// Patches of 10 cm, of some 65 photons each, whose edges are 0.5 to 2 cm from the meter: too few to see an edge by a fit
-// beside a slope. As caustics, which have edges, what comes from one side alone widens bounds.
+// Patches of 10 cm, of some 65 photons each, whose edges are 0.5 to 2 cm from the meters, on any side: too few to see an edge
+// by a fit beside a slope. As caustics, which have edges, what comes from one side alone widens bounds.
 TEST(NeighbourProfiles, ShowThatAPatchOfACausticEndsBesideItsMeter) {
   const Light patch = [](size_t m, double x, double y) {
-    return std::abs(x - (m % 4 == 0 ? 0.03 : m % 4 == 1 ? 0.045 : 0.04)) < 0.05 && std::abs(y) < 0.05 ? 10 : 0;
+    const double towards[] = {x, y, -x, -y};
+    const double along = towards[m % 4], across = towards[(m + 1) % 4], off = m % 3 == 0 ? 0.03 : m % 3 == 1 ? 0.045 : 0.04;
+    return std::abs(along - off) < 0.05 && std::abs(across) < 0.05 ? 10 : 0;
   };
-  const Row other(patch, 10, 500), caustic(patch, 10, 500, true);
-  EXPECT_LT(other.together.held, 0.87);
-  EXPECT_GT(caustic.together.held, 0.91);
-  EXPECT_LT(caustic.together.bound, 1.2 * other.together.bound);
+  const Row row(patch, 10, 500, true);
+  EXPECT_GT(row.together.held, 0.91);
+}
+
+// Two such patches among 22 meters in even light. Of 60 bounds 57 % hold where nothing is told of sides.
+TEST(NeighbourProfiles, ShowThatAPatchEndsThoughNoOtherDoes) {
+  const Light light = [](size_t m, double x, double y) {
+    return m % 12 || (std::abs(x - 0.04) < 0.05 && std::abs(y) < 0.05) ? 10 : 0;
+  };
+  EXPECT_GT(Row(light, 10, 500, true, 12).together.held, 0.8);
 }
 
 TEST(NeighbourProfiles, LeaveEvenAndSlopingLightAsItIs) {
