@@ -52,8 +52,8 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     const size_t rows = rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0;
     rings_.push_back({MeterRings(rows, rings, plan.merges_direct_light()),
                       MeterRings(plan.seeks_caustics ? rows : 0, rings, false, true)});
-    const uint32_t sides = set.kind == UPS_METER_VECTOR ? vector_sides : 1;  // of one, which look elsewhere
-    discs_that_meet_.push_back(rings ? (plan.meter_discs[s].most_that_meet(set.meters) + sides - 1) / sides : 1);
+    const uint32_t sides = set.kind == UPS_METER_VECTOR ? vector_sides : 1;
+    discs_that_meet_.push_back(rings ? plan.meter_discs[s].most_that_meet(set.meters, sides) : 1);
   }
   for (const Camera& c : scene.cameras) images_.emplace_back(c, plan, scene_lx_ / pi_d);
 }

@@ -255,8 +255,9 @@ MeterError ImageSums::apart(uint32_t p, uint32_t passes, uint32_t visits, const 
   if (!merges_) return {.noise = float(bound), .visits = passes};
   const Spread bias = merges_->bias.of_pixel(p, visits, float(luminance_at(r.luminance_rgb, p)), errors.squares);
   const double b = std::abs(bias.mean), s_b = std::max(0.0, bias.standard_error),
-               own = merges_->bias.own(p, visits).standard_error, all = noise * noise + s_b * s_b,
-               merged = s_b * s_b + std::min(noise * noise, own * own / 4);
+               own = merges_->bias.own(p, visits).standard_error, few = caustics.noise(visits),
+               all = noise * noise + few * few + s_b * s_b,
+               merged = s_b * s_b + few * few + std::min(noise * noise, own * own / 4);
   MeterError m{.noise = float(std::max(0.0, bound - unfound - b)),
                .bias = float(b),
                .merged = all > 0 ? float(merged / all) : 0,

@@ -93,8 +93,12 @@ struct MeterRings::Sums {
     NarrowLight most;
     for (uint32_t k = rings.narrowest; k < disc; ++k)
       if (differs(k, lx, likely) && (mean(k) < lx || double(count[k]) >= clump * few))
-        most = larger(most, {mean(k) - lx, std::sqrt(variance(k))});
+        most = larger(most, {mean(k) - lx, chance_of(k)});
     return most;
+  }
+  // Of a disc's mean, 95 %: two standard deviations, and three photons of all where it has none.
+  double chance_of(uint32_t k) const {
+    return std::max(2 * std::sqrt(variance(k)), 3 * clump * square[max_ring] / (flux[max_ring] * area[k]));
   }
   static NarrowLight larger(const NarrowLight& a, const NarrowLight& b) { return a.size() < b.size() ? b : a; }
   // What few photons that lie close together may bring there, 95 %, beyond a disc's lx: closer than so many of all would
@@ -113,7 +117,7 @@ struct MeterRings::Sums {
                    ways = std::tgamma(n + 1) / (std::tgamma(here + 1) * std::tgamma(n - here + 1));
       if (here < 1 || (here < 2 && k < narrowest)) continue;
       if (ways * std::pow(area[k] / area[max_ring], here) <= 0.02)
-        most = larger(larger(most, {0, lx}), {mean(k) - lx, mean(k) * poisson_excess(here) / here});
+        most = larger(larger(most, {0, lx}), {mean(k) - lx, mean(k) * std::max(1.0, poisson_excess(here) / here)});
     }
     return most;
   }

@@ -63,7 +63,7 @@ struct StepBias {
 };
 
 // Of a caustic that may be narrower than the disc it is read from, lx: what narrower discs say more or less than the
-// reading, and what of that is chance, or on either side of it, 95 %.
+// reading, and how far the truth may be from that on either side, 95 %.
 struct NarrowLight {
   double shift = 0, chance = 0;
   double size() const { return std::abs(shift) + chance; }

@@ -148,7 +148,7 @@ MeterBatches MeterBatches::over_mean() const {
 
 MeterBatches MeterBatches::negative() const {
   MeterBatches out = *this;
-  for (Meter& m : out.meters_) m.value = -m.value;
+  for (Meter& m : out.meters_) m.value = -m.value, m.caustic.shift = -m.caustic.shift;
   for (float& v : out.batches_) v = -v;
   return out;
 }
@@ -164,7 +164,7 @@ MeterBatches MeterBatches::moved(double sign) const {
       own = meter.known ? float(double(own) + by) : float(meter.value);
     }
     meter.bias = {0, meter.known ? meter.bias.standard_error : 0};
-    meter.unfound = 0, meter.known = true;
+    meter.unfound = 0, meter.caustic = {}, meter.unfound_in_mean = -1, meter.known = true;
     out.widened_[m] = 0;
   }
   return out;

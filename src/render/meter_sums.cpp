@@ -55,14 +55,15 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
   // Light straight from emitters that no photon brings is not biased, nor has it any part in the choice of discs.
   const bool merged = may_be_merged(part), halves_differ = merged && photons.halves_differ;
   const Spread blur = merged ? bias : Spread{0, 0};
-  const double narrower = merged ? photons.narrower : 0, caustic = direct ? 0 : photons.caustic.size();
+  const double narrower = merged ? photons.narrower : 0, shift = direct ? 0 : std::abs(photons.caustic.shift),
+               chance = direct ? 0 : photons.caustic.chance;
   Spread e = halves_differ ? spread_of_halves(values, visits) : spread(values, visits);
   if (e.standard_error < 0) return {-1.0f, -1.0f};
   if (merged) e.standard_error = std::hypot(e.standard_error, std::sqrt(photons.choice_variance));
   const double offset = std::abs(blur.mean);
   const double added = rounding + unfound[part];
   if (!light.is_enough(visits)) {
-    const double bound = std::max(offset + light.bound(largest[part], visits), narrower) + caustic + added;
+    const double bound = std::max(offset + light.bound(largest[part], visits), narrower) + shift + chance + added;
     if (apart) *apart = {.bias = float(offset), .unfound = float(bound - offset), .paths = float(light.paths)};
     return {-1.0f, float(bound)};
   }
@@ -75,8 +76,8 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
   const double t = noise ? t_quantile(visits, means, offset, e.standard_error) : t_quantile(visits, means),
                model = 0.31 * std::max(offset, merged ? bias_apart : 0.0),
                bound = offset + std::hypot(t * e.standard_error, (once ? 1 : t) * blur.standard_error, t * model);
-  // What caustics may be more is independent of all that.
-  const double known = std::max(bound, narrower), whole = offset + std::hypot(known - offset, caustic);
+  // What is chance of narrow caustics is independent of all that.
+  const double known = std::max(bound, narrower), whole = offset + shift + std::hypot(known - offset, chance);
   if (apart) {
     const bool disc = merged && photons.bias_scale > 0;
     // Bias is estimated with four times the variance that merging has, batch by batch. All but rays and what bias makes

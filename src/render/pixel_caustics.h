@@ -19,16 +19,17 @@ class PixelCaustics {
 
   void add(uint32_t pixel, const PixelMerges& merges) {
     of_tile_[tiles_.of(pixel)].add({{double(merges.disc_m2), double(merges.caustics)},
-                                    double(merges.looked_m2), double(merges.caustic_light), 1, merges.disc_m2 > 0});
+                                    double(merges.caustics_met), double(merges.caustic_light), 1, merges.disc_m2 > 0});
   }
   struct Unfound {
     double lx = 0;       // in the mean over the tile, parts of which may see nothing that light falls on
     double photons = 0;  // that were found
-    double light = 0, of_visit = 0;  // luminance, lx, that they bring in the mean; how many are due in a pixel's disc
-    // Standard error of that light in a pixel, where so few photons are due that its batches do not know it.
+    double light = 0, of_visit = 0;  // luminance, lx, that they bring to a pixel in the mean; how many its disc meets
+    // Standard error of that light in a pixel, where so few photons are due that its batches do not know it. Of less than
+    // one that light is missing, or its batches know it.
     double noise(uint32_t visits) const {
       const double due = of_visit * visits;
-      return due > 0 && due < CausticSearch::enough ? light / std::sqrt(due) : 0;
+      return due > 0 && due < CausticSearch::enough ? light / std::sqrt(std::max(due, 1.0)) : 0;
     }
   };
   // By tile. Of a light path that starts with so many lm.
@@ -39,10 +40,8 @@ class PixelCaustics {
       tiles_.each_around(t, [&](size_t tile) { all.add(of_tile_[tile]); });
       const double lx = all.search.unfound_lx(brightest_lm, light_paths);
       const Tile& own = of_tile_[t];
-      const double of_seen = all.seen > 0 ? 1.0 / all.seen : 0,
-                   density = all.search.m2 > 0 ? all.search.paths / all.search.m2 : 0;
-      out.push_back({own.visits > 0 ? lx * own.seen / own.visits : lx, all.search.paths, all.light * of_seen,
-                     density * all.looked_m2 * of_seen});
+      const double of_seen = all.seen > 0 ? 1.0 / all.seen : 0, sees = own.visits > 0 ? double(own.seen) / own.visits : 1;
+      out.push_back({lx * sees, all.search.paths, all.light * of_seen * sees, all.met * of_seen});
     }
     return out;
   }
@@ -50,10 +49,10 @@ class PixelCaustics {
  private:
   struct Tile {
     CausticSearch search;
-    double looked_m2 = 0, light = 0;  // sums of PixelMerges'
-    uint32_t visits = 0, seen = 0;    // of its pixels, together; with a disc
+    double met = 0, light = 0;  // sums of PixelMerges'
+    uint32_t visits = 0, seen = 0;  // of its pixels, together; with a disc
     void add(const Tile& o) {
-      search.add(o.search), looked_m2 += o.looked_m2, light += o.light;
+      search.add(o.search), met += o.met, light += o.light;
       count_up(visits, o.visits), count_up(seen, o.seen);
     }
   };

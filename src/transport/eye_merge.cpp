@@ -21,7 +21,6 @@ void EyeWalk::count_disc(const EyeEnd& eye, float area) {
   counted_edges_ = eye.edges;
   tally_.disc_m2 = std::min(area, own);
   counted_share_ = tally_.disc_m2 / area;
-  tally_.looked_m2 = area;
 }
 
 // Of a crowd of photons each k-th counts, k times: what is merged stays the same in the mean, and a light path that
@@ -34,8 +33,7 @@ uint32_t EyeWalk::thin(const EyeEnd& eye, PhotonIndex::Query& query) {
   query.first = std::min(uint32_t(rng_.get(eye.edges, Slot::crowd) * float(query.stride)), query.stride - 1);
   ++work_.crowds;
   work_.largest_crowd = std::max(work_.largest_crowd, query.candidates);
-  if (eye.edges == counted_edges_)  // so much of it was looked at
-    tally_.disc_m2 /= float(query.stride), tally_.looked_m2 /= float(query.stride);
+  if (eye.edges == counted_edges_) tally_.disc_m2 /= float(query.stride);  // so much of it was looked at
   return query.stride;
 }
 
@@ -75,6 +73,7 @@ void EyeWalk::merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon,
   tally_.bias += bias;
   if (light.casters && !light.first && eye.edges == counted_edges_) {
     tally_.caustics += counted_share_;
+    ++tally_.caustics_met;
     tally_.caustic_light += luminance(c->value) * weight;
   }
   keep_separated(c->emitter, 0.0, 0.0, bias);

@@ -13,11 +13,11 @@ struct EyeTally {
   double rgb[3] = {};
   double direct = 0;  // luminance of the part with one edge
   double bias = 0;    // luminance; see MeterTally
-  float disc_m2 = 0, caustics = 0, looked_m2 = 0, caustic_light = 0;  // see PixelMerges
+  float disc_m2 = 0, caustics = 0, caustics_met = 0, caustic_light = 0;  // see PixelMerges
 
   void add(const Rgb& v) { rgb[0] += v.r, rgb[1] += v.g, rgb[2] += v.b; }
   Rgb value() const { return {float(rgb[0]), float(rgb[1]), float(rgb[2])}; }
-  PixelMerges merges() const { return {float(bias), disc_m2, caustics, looked_m2, caustic_light}; }
+  PixelMerges merges() const { return {float(bias), disc_m2, caustics, caustics_met, caustic_light}; }
 };
 
 // A sensor as its eye paths know it.

@@ -82,16 +82,18 @@ void MeterDiscs::look_all_around(const Snapshot& scene, const Meter& meter, uint
   area_[m] = pi_d * radius_[m] * radius_[m];
 }
 
-uint32_t MeterDiscs::most_that_meet(const std::vector<Meter>& meters) const {
+uint32_t MeterDiscs::most_that_meet(const std::vector<Meter>& meters, uint32_t sides) const {
   constexpr size_t all = 2048;  // of more some tell, spread by the golden section: grids have rows
-  const size_t n = meters.size(), probes = n <= all ? n : std::max<size_t>(16, all * all / n);
+  const size_t n = meters.size() / sides, probes = n <= all ? n : std::max<size_t>(16, all * all / n);
+  std::vector<float> radius(radius_.begin(), radius_.begin() + ptrdiff_t(n));
+  for (size_t i = n; i < meters.size(); ++i) radius[i % n] = std::max(radius[i % n], radius_[i]);
   uint32_t most = 1;
   for (size_t i = 0; i < probes; ++i) {
     const double turn = 0.6180339887498949 * double(i);
     const size_t m = n <= all ? i : size_t((turn - std::floor(turn)) * double(n));
     uint32_t meet = 0;
     for (size_t other = 0; other < n; ++other) {
-      const float reach = radius_[m] + radius_[other];
+      const float reach = radius[m] + radius[other];
       meet += length2(meters[other].p - meters[m].p) < reach * reach;
     }
     most = std::max(most, meet);

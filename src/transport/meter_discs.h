@@ -48,8 +48,9 @@ class MeterDiscs {
   float radius(uint32_t m) const { return radius_[m]; }
   double area(uint32_t m) const { return area_[m]; }
   Rings rings(uint32_t m, float min_radius) const;
-  // How many discs, at most, may find the photons of one, itself among them; of many meters by some.
-  uint32_t most_that_meet(const std::vector<Meter>& meters) const;
+  // Of how many meters, at most, discs may find the photons of one, itself among them; of many meters by some. sides: of
+  // each meter, which are at one place, all meters' first sides before the second ones.
+  uint32_t most_that_meet(const std::vector<Meter>& meters, uint32_t sides = 1) const;
   // The eighth of a turn in which a point lies, by signs and by the larger of x and y.
   static uint8_t octant_of(float x, float y) {
     return uint8_t((std::abs(y) > std::abs(x)) | (x < 0) << 1 | (y < 0) << 2);

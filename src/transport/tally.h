@@ -156,7 +156,7 @@ struct PixelMerges {
   // About the first vertex that scatters: of the disc where photons were looked for what is no other pixel's, 0 where
   // there is no such vertex; and as much of the number of those that came by way of casters alone.
   float disc_m2 = 0, caustics = 0;
-  float looked_m2 = 0, caustic_light = 0;  // the whole disc; luminance, lx, that the latter brought in it
+  float caustics_met = 0, caustic_light = 0;  // of the whole disc: how many brought light, and how much: luminance, lx
 };
 
 // On the first diffuse surface that a pixel sees.

@@ -124,7 +124,7 @@ TEST(PixelCaustics, AreBoundedUntilEightPhotonsHaveCome) {
     for (uint32_t i = 0; i < 100; ++i)
       for (uint32_t p = 0; p < 4; ++p) {
         const bool finds = p == 0 && i < found;
-        caustics.add(p, {0, p < 2 ? 1e-4f : 0, finds ? 1.0f : 0, p < 2 ? 4e-4f : 0, finds ? 0.5f : 0});
+        caustics.add(p, {0, p < 2 ? 1e-4f : 0, finds ? 1.0f : 0, finds ? 4.0f : 0, finds ? 0.5f : 0});
         caustics.add(p + 16, {});
       }
     const double m2_paths = 200 * 1e-4 * 1000, limit = found == 0 ? 3.0 : found == 7 ? 6.15 : 0,
@@ -136,10 +136,12 @@ TEST(PixelCaustics, AreBoundedUntilEightPhotonsHaveCome) {
     EXPECT_EQ(unfound[1].photons, found);
     EXPECT_EQ(unfound[0].photons, found);
     EXPECT_EQ(unfound[2].lx, 0) << "where nothing was looked at";
-    // Of a pixel: in four times what is its own `found` / 50 of them are due in a visit.
-    const double light = 0.5 * found / 200;
-    EXPECT_NEAR(unfound[0].noise(10), found ? light / std::sqrt(0.2 * found) : 0, 1e-6) << found;
+    // Of a pixel: `found` / 50 are met in a visit of one that sees something.
+    const double light = 0.5 * 0.5 * found / 200;
+    EXPECT_NEAR(unfound[0].noise(20), found ? light / std::sqrt(0.4 * found) : 0, 1e-6) << found;
+    EXPECT_NEAR(unfound[0].noise(1), light, 1e-6) << "less than one is due";
     EXPECT_EQ(unfound[0].noise(100), 0) << "fourteen or more are due, or none";
+    EXPECT_EQ(unfound[1].noise(20), 0) << "the sky beside it";
     EXPECT_EQ(caustics.unfound(0, 1000)[0].lx, 0) << "nothing casts any";
   }
 }
