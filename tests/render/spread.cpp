@@ -1,7 +1,9 @@
 // The arithmetic of errors, against numbers worked out by hand.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "render/goniometer_sums.h"
 #include "render/image_sums.h"
@@ -56,6 +58,25 @@ TEST(ZeroBound, IsTheRuleOfThree) {
 }
 
 // Half of each batch's photons on the inner half of the disc in even batches, so that the discs of the halves differ.
+// As rare as a normal number at its root: exact tails of Poisson's distribution, to one side, 0.15 of a deviation and 2 %.
+TEST(ZeroBound, DeviancesAreThoseOfPoissonNumbers) {
+  const auto chance = [](int events, double mean, bool below) {
+    double sum = 0;
+    for (int n = below ? 0 : events, end = below ? events + 1 : events + 200; n < end; ++n)
+      sum += std::exp(-mean + n * std::log(mean) - std::lgamma(n + 1));
+    return sum;
+  };
+  constexpr std::pair<int, double> numbers[] = {{0, 6.9}, {0, 20}, {8, 0.5}, {8, 2}, {20, 6}, {73, 115}, {150, 110}};
+  for (const auto& [events, mean] : numbers) {
+    const double deviations = std::sqrt(poisson_deviance(events, mean)), p = chance(events, mean, events < mean);
+    const auto normal = [](double z) { return 0.5 * std::erfc(z / std::sqrt(2.0)); };
+    EXPECT_LT(normal(1.02 * deviations + 0.15), p) << events << " of " << mean;
+    EXPECT_GT(normal(0.98 * deviations - 0.15), p) << events << " of " << mean;
+  }
+  EXPECT_EQ(poisson_deviance(3, 3), 0);
+  EXPECT_EQ(poisson_deviance(0, 0), 0);
+}
+
 TEST(MeterRings, StateTheNoiseOfChoosing) {
   Rings rings;
   rings.count = 2;
