@@ -212,6 +212,7 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
         all = bias;
       } else if (own[of][m].lx > 0 && bias.standard_error >= 0 && all.standard_error >= 0) {
         lights[m].bias_apart = std::hypot(all.mean, bias.mean);
+        lights[m].edge = profiles.edge(m, discs[of][m]);
         all = {all.mean + bias.mean, std::hypot(all.standard_error, bias.standard_error)};
       }
     }

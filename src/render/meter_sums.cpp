@@ -81,13 +81,14 @@ std::pair<float, float> MeterLight::error_of(LightPart part, MeterError* apart) 
   if (apart) {
     const bool disc = merged && photons.bias_scale > 0;
     // Bias is estimated with four times the variance that merging has, batch by batch. All but rays and what bias makes
-    // falls as merging does.
+    // falls as merging does, and of an edge beside the meter what more photons tell of it.
     const double all = known - offset, own = merged ? spread(sums.bias, visits).standard_error : 0,
                  of_rays = std::max(0.0, std::pow(e.standard_error, 2) - photons.choice_variance - own * own / 4),
-                 share = all > 0 ? t * t / (all * all) : 0, of_bias = share * model * model;
+                 share = all > 0 ? t * t / (all * all) : 0, of_bias = share * model * model,
+                 of_edge = (once ? share / (t * t) : share) * std::pow(std::min(merged ? edge : 0, blur.standard_error), 2);
     *apart = {.noise = float(all),
               .bias = float(offset),
-              .merged = float(merged && all > 0 ? std::max(0.0, 1 - share * of_rays - of_bias) : 0),
+              .merged = float(merged && all > 0 ? std::max(0.0, 1 - share * of_rays - of_edge - of_bias) : 0),
               .deviations = blur.standard_error > 0 ? float(offset / blur.standard_error) : 1e9f,
               .unfound = float(added + whole - known),
               .paths = float(sums.caustics),

@@ -154,6 +154,10 @@ double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
   return 0.5 * pi_d * std::max(std::sqrt(square), caustic_lean(meters_[m], ring));
 }
 
+double NeighbourProfiles::edge(size_t m, const MeterRings::Choice& discs) const {
+  return std::hypot(bias_by_edge(m, discs[0]), bias_by_edge(m, discs[1])) / std::sqrt(2.0) * meters_[m].lx;
+}
+
 // What the meter may differ from its neighbours in stands for twice its standard error, 95 %: a bound counts it once.
 // Profiles are of what lands on the disc alone: a bias beyond doubt, which holds what eye paths merge farther on, stays
 // where they show less.
@@ -163,11 +167,11 @@ Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRing
   const StepBias a = this->bias(m, own, discs[0], to_state), b = this->bias(m, own, discs[1], to_state);
   const StepBias both{0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance),
                       0.5 * (a.told_variance + b.told_variance)};
-  const double edge = std::hypot(bias_by_edge(m, discs[0]), bias_by_edge(m, discs[1])) / std::sqrt(2.0);
+  const double edge = this->edge(m, discs);
   const bool more = std::abs(bias.mean) > std::max(2 * bias.standard_error, std::abs(both.mean) * own.lx);
   if (both.is_beyond(2) && !more)
-    return {both.mean * own.lx, std::max(std::sqrt(both.variance()), edge) * own.lx};
-  return {bias.mean, std::max({bias.standard_error, 2 * std::sqrt(both.own_variance) * own.lx, edge * own.lx})};
+    return {both.mean * own.lx, std::max(std::sqrt(both.variance()) * own.lx, edge)};
+  return {bias.mean, std::max({bias.standard_error, 2 * std::sqrt(both.own_variance) * own.lx, edge})};
 }
 
 }  // namespace ups

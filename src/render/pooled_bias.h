@@ -28,6 +28,8 @@ class NeighbourProfiles {
   }
   // A bias estimated otherwise, and what profiles say of the discs of both halves.
   Spread added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const;
+  // lx; part of the standard error of that: an edge beside the meter.
+  double edge(size_t m, const MeterRings::Choice& discs) const;
 
  private:
   // sure: standard deviations of chance that meters must differ by.
