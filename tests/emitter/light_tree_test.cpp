@@ -295,5 +295,27 @@ TEST(LightTree, LeavesTheHiddenAside) {
   }
 }
 
+// A peak half a degree wide, between the directions by which a luminaire's table is made, 3 degrees apart.
+TEST(Lobe, PeaksBetweenItsDirectionsAreSeen) {
+  constexpr size_t planes = 12, rows = 361, plane = 1, row = 83;  // C 30, gamma 41.5
+  std::vector<double> c, gamma, cd(planes * rows);
+  for (size_t i = 0; i < planes; ++i) c.push_back(30.0 * double(i));
+  for (size_t i = 0; i < rows; ++i) gamma.push_back(0.5 * double(i));
+  cd[plane * rows + row] = 1000;
+  const FineTable table = fine_table(photometry::Distribution(c, gamma, cd));
+  const double turn = pi_d / 180 * c[plane], down = pi_d / 180 * gamma[row];
+  const Vec3 w(float(std::sin(down) * std::cos(turn)), float(std::sin(down) * std::sin(turn)), float(-std::cos(down)));
+  EXPECT_FLOAT_EQ(table[size_t(Lobe::Fine::texel(w))], 1000);
+}
+
+// A spot of half a degree between the four directions by which a texel of a group is asked.
+TEST(Lobe, BeamsNarrowerThanATexelCountInAGroup) {
+  const Vec3 axis = Lobe::Coarse::direction(20, 0.45f, 0.55f);
+  const double versine = 1 - std::cos(pi_d / 360);
+  CoarseTable table{};
+  add_to(table, cone_lobe(Frame(axis), 0.5 * versine, versine), 100);
+  EXPECT_GE(table[20], 25);
+}
+
 }  // namespace
 }  // namespace ups::test

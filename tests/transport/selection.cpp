@@ -86,6 +86,7 @@ class Chosen : public ::testing::Test {
   struct Told {  // of a meter, an iteration
     double noise = 1, independent = 1, excess = 0, reading = 10;
     double caustic_of_first = 0, photons_of_first = 100;  // lx of the first meter, by so many
+    double landed = 0;  // squares of what light paths brought
   };
 
   void add_sets(size_t count) {
@@ -124,10 +125,11 @@ class Chosen : public ::testing::Test {
         for (size_t j = 0; j < sets && !by_eye; ++j)
           sums[j] = j == 0 ? 0.0 : j + 2 >= sets ? told.excess : others.count(j) ? others[j] : INFINITY;
         sums[sets + 1] = told.independent * (paths - 1) / paths;
+        sums[sets + 2] = told.landed;
         sums[sets + 3] = told.reading;
         if (i > 0) continue;
         sums[sets + 4] = told.caustic_of_first;
-        sums[sets + 2] = told.caustic_of_first * told.caustic_of_first / told.photons_of_first;
+        sums[sets + 2] += told.caustic_of_first * told.caustic_of_first / told.photons_of_first;
       }
       tally.work.eye_paths += visited * in.plan.meter_samples;
     }
@@ -177,6 +179,32 @@ TEST_F(Chosen, TheBestIsTakenOfTheWholeSets) {
   others[4] = 0.886 * whole / quarter - 1;  // all techniques at a quarter
   eye[0].noise = std::sqrt(whole / (0.74 * plain));
   EXPECT_EQ(choose().light_paths, plan.light_paths / 4);
+}
+
+// Eye paths alone take half of what all techniques do, unless all of these' noise is of what lands, a quarter of which is
+// left by four times the light paths of the pilot.
+TEST_F(Chosen, NoiseOfWhatLandsFallsWithTheLightPaths) {
+  settings.prefers_eye_paths = true;
+  add_sets(1);
+  const double whole = 1.1 * of_eye() + of_light(), plain = 1.02 * of_eye() + photons * 2 * 4096 / 8;
+  eye[0].noise = std::sqrt(0.5 * whole / plain);
+  EXPECT_LT(choose().light_paths, plan.light_paths);
+  all[0].independent = 0, all[0].landed = 1;
+  EXPECT_EQ(choose().light_paths, plan.light_paths);
+}
+
+// Eye paths alone take half of what all techniques do, but may miss what casters bring to cells.
+TEST_F(Chosen, LightLandsOnCellsThatEyePathsMayLeaveDark) {
+  settings.prefers_eye_paths = true;
+  settings.techniques |= UPS_TECHNIQUE_SENSOR_HIT;
+  add_sets(1);
+  const double whole = 1.1 * of_eye() + of_light(), plain = 1.02 * of_eye() + photons * 2 * 4096 / 8;
+  eye[0].noise = std::sqrt(0.5 * whole / plain);
+  for (const bool cells : {false, true})
+    for (const bool complete : {false, true}) {
+      scene.meter_sets[0].disc_radius = cells ? 0.1f : 0, scene.effects.path_tracing_complete = complete;
+      EXPECT_EQ(choose().shares.at(0).light, cells && !complete) << cells << complete;
+    }
 }
 
 // 2 % of all meters' light together, but all of one meter's: a hundred photons are no chance.
