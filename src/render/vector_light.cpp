@@ -46,9 +46,10 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
       if (part == whole_light && size * side.unfound[part] > most_unfound)
         most_unfound = size * side.unfound[part], out.sums.caustics = side.sums.caustics;
       out.unfound[part] += size * (error < 0 ? std::max(bound, 0.0f) : float(side.unfound[part]));
-      if (part == whole_light && error >= 0)
-        out.photons.caustic.shift += share * side.photons.caustic.shift,
-            out.photons.caustic.chance += size * side.photons.caustic.chance;
+      if (part == whole_light && error >= 0) {
+        out.photons.caustic.shift += share * side.photons.caustic.shift;
+        out.photons.caustic.chance += size * side.photons.caustic.chance;
+      }
     }
     out.bias.mean += share * side.bias.mean;
     out.bias_apart = std::hypot(out.bias_apart, share * side.bias_apart);
