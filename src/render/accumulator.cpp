@@ -207,12 +207,13 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
     const NeighbourProfiles profiles = profiles_of(set, of, column, stop);
     for (size_t m = 0; m < count; ++m) {
       Spread bias = pooled_bias(own[of][m], neighbours[m]), &all = lights[m].bias;
-      if (!discs[of].empty()) bias = profiles.added_to(bias, m, discs[of][m]);
+      const double edge = discs[of].empty() ? 0 : profiles.edge(m, discs[of][m]);
+      if (!discs[of].empty()) bias = profiles.added_to(bias, m, discs[of][m], edge);
       if (of == other_light) {
         all = bias;
       } else if (own[of][m].lx > 0 && bias.standard_error >= 0 && all.standard_error >= 0) {
         lights[m].bias_apart = std::hypot(all.mean, bias.mean);
-        lights[m].edge = profiles.edge(m, discs[of][m]);
+        lights[m].edge = edge;
         all = {all.mean + bias.mean, std::hypot(all.standard_error, bias.standard_error)};
       }
     }

@@ -161,13 +161,12 @@ double NeighbourProfiles::edge(size_t m, const MeterRings::Choice& discs) const 
 // What the meter may differ from its neighbours in stands for twice its standard error, 95 %: a bound counts it once.
 // Profiles are of what lands on the disc alone: a bias beyond doubt, which holds what eye paths merge farther on, stays
 // where they show less.
-Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const {
+Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs, double edge) const {
   const RingProfile& own = meters_[m];
   if (!(own.lx > 0)) return bias;
   const StepBias a = this->bias(m, own, discs[0], to_state), b = this->bias(m, own, discs[1], to_state);
   const StepBias both{0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance),
                       0.5 * (a.told_variance + b.told_variance)};
-  const double edge = this->edge(m, discs);
   const bool more = std::abs(bias.mean) > std::max(2 * bias.standard_error, std::abs(both.mean) * own.lx);
   if (both.is_beyond(2) && !more)
     return {both.mean * own.lx, std::max(std::sqrt(both.variance()) * own.lx, edge)};

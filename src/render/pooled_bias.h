@@ -26,10 +26,10 @@ class NeighbourProfiles {
   StepBias bias_to_choose_by(size_t m, const RingProfile& half, uint32_t ring) const {
     return bias(m, half, ring, to_choose);
   }
-  // A bias estimated otherwise, and what profiles say of the discs of both halves.
-  Spread added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs) const;
-  // lx; part of the standard error of that: an edge beside the meter.
+  // lx; how far the discs of both halves may be off by an edge beside the meter.
   double edge(size_t m, const MeterRings::Choice& discs) const;
+  // A bias estimated otherwise, and what profiles say of these discs; edge: theirs, at least its standard error.
+  Spread added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs, double edge) const;
 
  private:
   // sure: standard deviations of chance that meters must differ by.

@@ -77,7 +77,7 @@ struct Row {
     MeterLight read{{}, sums.read(m, rings, discs, batch_count), batch_count, {}, {}, true, {}};
     read.sums.add(read.photons);
     read.bias = read.own_bias().bias;
-    if (neighbours) read.bias = neighbours->added_to(read.bias, m, discs);
+    if (neighbours) read.bias = neighbours->added_to(read.bias, m, discs, neighbours->edge(m, discs));
     read.largest.fill(read.photons.paths.largest);
     const ups_meter_reading r = read.reading();
     const double error = (double(r.illuminance_lx) - truth) / truth, bound = double(r.error_bound_lx) / truth;
