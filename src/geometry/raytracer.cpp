@@ -250,6 +250,26 @@ SurfacePoint Raytracer::surface_at(const Hit& hit) const {
   return surface_at(hit.instance, hit.primitive, hit.u, hit.v);
 }
 
+Raytracer::Chart Raytracer::chart_at(const SurfacePoint& point) const {
+  constexpr double least_area2 = 1e-100, most = 1e12;  // a mapping as steep as that says nothing in floats
+  const Impl::Placed& placed = impl_->placed[point.instance];
+  const Mesh& mesh = *impl_->traced[placed.traced]->source;
+  if (mesh.uvs.empty() || mesh.revolution) return {};
+  const Triangle triangle = impl_->triangle(placed, point.primitive);
+  const Vec3d to_1 = triangle.p[1] - triangle.p[0], to_2 = triangle.p[2] - triangle.p[0], n = cross(to_1, to_2);
+  const double area2 = length2(n);
+  if (!(area2 > least_area2)) return {};
+  const Vec3d along_1 = cross(to_2, n) / area2, along_2 = cross(n, to_1) / area2;  // gradients of the barycentrics
+  const auto uv = [&](int k) { return mesh.uvs[mesh.indices[3 * size_t(point.primitive) + size_t(k)]]; };
+  const auto gradient = [&](float Vec2::*c) {
+    const double at_0 = double(uv(0).*c);
+    return along_1 * (double(uv(1).*c) - at_0) + along_2 * (double(uv(2).*c) - at_0);
+  };
+  const Vec3d u = gradient(&Vec2::x), v = gradient(&Vec2::y);
+  if (!(std::max(max_abs(u), max_abs(v)) < most)) return {};
+  return {Vec3(u), Vec3(v)};
+}
+
 void Raytracer::each_triangle(const std::function<void(const Vec3d (&)[3])>& visit) const {
   for (const Impl::Placed& instance : impl_->placed) {
     const size_t count = impl_->traced[instance.traced]->source->triangle_count();

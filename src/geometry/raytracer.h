@@ -44,6 +44,11 @@ struct SurfaceTexturing {
   const Texture* normal = nullptr;
   float normal_scale = 1;
   float alpha_at(const Vec2& uv) const;
+  // What is blended is there for every ray where there is anything: transport/encounter.h lets a share of the light by.
+  bool is_hole_at(const Vec2& uv) const {
+    const float at = alpha_at(uv);
+    return alpha_mode == mask ? at < alpha_cutoff : !(at > 0);
+  }
   bool may_have_holes() const {
     return alpha_mode == mask || (alpha_mode == blend && (alpha || !(alpha_factor > 0)));
   }
@@ -80,6 +85,12 @@ class Raytracer {
   SurfacePoint surface_at(const Hit& hit) const;
   // The same point from its address, for stored vertices.
   SurfacePoint surface_at(uint32_t instance, uint32_t primitive, float u, float v) const;
+  // Texture coordinates beside a surface point, as its triangle's plane and mapping go on: at p + d they are
+  // uv + (dot(u, d), dot(v, d)). Zero where there is no mapping.
+  struct Chart {
+    Vec3 u, v;
+  };
+  Chart chart_at(const SurfacePoint& point) const;
   // True where the open segment between two surface points is free; both ends are shortened by their error bounds.
   bool visible(const SurfacePoint& a, const SurfacePoint& b) const;
   // From a surface point to a free point (meter, light): b_error is the free point's own error bound.

@@ -76,12 +76,6 @@ Affine inverse(const Affine& m) {
 // A triangle lower than this share of its longest edge can be "hit" far from where it is (Embree issue 387).
 constexpr double thin_share = 1e-3;
 
-// What is blended is there for every ray where there is anything: transport/encounter.h lets a share of the light by.
-bool is_hole(const TracedMesh& mesh, const SurfaceTexturing& t, uint32_t primitive, float u, float v) {
-  const float alpha = t.alpha_at(uv_at(*mesh.source, primitive, u, v));
-  return t.alpha_mode == SurfaceTexturing::mask ? alpha < t.alpha_cutoff : !(alpha > 0);
-}
-
 // A true hit has t between those of the vertices, and the line passes the triangle within rounding. Hits of thin
 // triangles by near-parallel rays can fail both.
 bool is_false_hit(const Triangle& triangle, const RTCRay& ray) {
@@ -115,7 +109,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
   const uint32_t primitive = mesh.primitive(hit.primID);
   const SurfaceTexturing* holes = mesh.has_holes ? embree::holes_of(args->context, mesh) : nullptr;
   const bool reject = (mesh.has_thin && is_false_hit(mesh.triangle(primitive), ray)) ||
-                      (holes && is_hole(mesh, *holes, primitive, hit.u, hit.v));
+                      (holes && holes->is_hole_at(uv_at(*mesh.source, primitive, hit.u, hit.v)));
   if (reject) args->valid[0] = 0;
 }
 

@@ -24,7 +24,7 @@ class PixelCaustics {
   struct Unfound {
     double lx = 0;       // in the mean over the tile, parts of which may see nothing that light falls on
     double photons = 0;  // that were found
-    double light = 0, of_visit = 0;  // luminance, lx, that they bring to a pixel in the mean; how many its disc meets
+    double light = 0, of_visit = 0;  // luminance, lx, that they bring a pixel that sees something; how many its disc meets
     // Standard error of that light in a pixel, where so few photons are due that its batches do not know it. Of less than
     // one that light is missing, or its batches know it.
     double noise(uint32_t visits) const {
@@ -41,7 +41,7 @@ class PixelCaustics {
       const double lx = all.search.unfound_lx(brightest_lm, light_paths);
       const Tile& own = of_tile_[t];
       const double of_seen = all.seen > 0 ? 1.0 / all.seen : 0, sees = own.visits > 0 ? double(own.seen) / own.visits : 1;
-      out.push_back({lx * sees, all.search.paths, all.light * of_seen * sees, all.met * of_seen});
+      out.push_back({lx * sees, all.search.paths, sees > 0 ? all.light * of_seen : 0, all.met * of_seen});
     }
     return out;
   }

@@ -19,7 +19,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
   for (const MeterLight* side : sides_) out.visits = std::min(out.visits, side->visits);
   if (out.visits == 0) return out;
   out.photons.widest = true;
-  double bias_variance = 0, most_unfound = 0;
+  double bias_variance = 0, most_unsure = 0;
   for (uint32_t i = 0; i < vector_sides; ++i) {
     const MeterLight& side = *sides_[i];
     const double share = dot(direction, Vec3d(axis_of_side(i))), size = std::abs(share);
@@ -43,8 +43,8 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
       out.largest[part] = std::max(out.largest[part], side.largest[part]);
       out.exact[part] = out.exact[part] && side.exact[part];
       const auto [error, bound] = side.error_of(part);
-      if (part == whole_light && size * side.unfound[part] > most_unfound)
-        most_unfound = size * side.unfound[part], out.sums.caustics = side.sums.caustics;
+      const double unsure = size * (side.unfound[part] + side.photons.caustic.size());
+      if (part == whole_light && unsure > most_unsure) most_unsure = unsure, out.sums.caustics = side.sums.caustics;
       out.unfound[part] += size * (error < 0 ? std::max(bound, 0.0f) : float(side.unfound[part]));
       if (part == whole_light && error >= 0) {
         out.photons.caustic.shift += share * side.photons.caustic.shift;
@@ -53,6 +53,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
     }
     out.bias.mean += share * side.bias.mean;
     out.bias_apart = std::hypot(out.bias_apart, share * side.bias_apart);
+    out.edge = std::hypot(out.edge, share * side.edge);
     bias_variance += std::pow(share * std::max(0.0, side.bias.standard_error), 2);
     out.photons.narrower += size * side.photons.narrower;
     out.photons.choice_variance += share * share * side.photons.choice_variance;

@@ -27,7 +27,7 @@ inline double poisson_excess(double k) {
 // whole: none of 6.9 are as rare as 3.1 deviations, where its root is 3.2, and 8 of 0.5 as 5.3, where it is 5.2.
 inline double poisson_deviance(double events, double mean) {
   const double n = events < mean ? std::min(events + 0.5, mean) : std::max(events - 0.5, mean);
-  return n > 0 ? 2 * (n * std::log(n / mean) - n + mean) : 2 * mean;
+  return n > 0 ? 2 * (n * std::log(n / mean) - n + mean) : 0;
 }
 
 // Light of a reading that came by chance.

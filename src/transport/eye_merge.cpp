@@ -37,10 +37,50 @@ uint32_t EyeWalk::thin(const EyeEnd& eye, PhotonIndex::Query& query) {
   return query.stride;
 }
 
+// The disc of a surface that alpha cuts holes into: what is solid of it, as the vertex's triangle is mapped.
+class EyeWalk::SolidPart {
+ public:
+  SolidPart(const Snapshot& scene, const SurfacePoint& s, double radius)
+      : frame_(s.ng), uv_(s.uv), radius_(float(radius)), holes_(&scene.texturing[s.material]) {
+    if (!holes_->alpha || !holes_->may_have_holes())
+      holes_ = nullptr;
+    else
+      chart_ = scene.raytracer->chart_at(s);
+  }
+  static constexpr uint32_t most_tries = 1 << 12;
+  bool is_all() const { return !holes_; }
+  Vec3 offset(const Vec2& square) const {
+    const Vec2 disc = square_to_disc(square);
+    return (frame_.s * disc.x + frame_.t * disc.y) * radius_;
+  }
+  bool has(const Vec3& offset) const {
+    return !holes_ || !holes_->is_hole_at({uv_.x + dot(chart_.u, offset), uv_.y + dot(chart_.v, offset)});
+  }
+
+ private:
+  const Frame frame_;
+  const Vec2 uv_;
+  const float radius_;
+  const SurfaceTexturing* holes_;  // null: it has none
+  Raytracer::Chart chart_;
+};
+
+// How much larger the disc is than what is solid of it, where alone photons are: places of it at random until so many of
+// them are solid are in the mean that many times more (negative binomial distribution).
+float EyeWalk::over_solid_part(const EyeEnd& eye, double radius) {
+  constexpr uint32_t wanted = 16;  // which adds at most a quarter of what is merged here as noise
+  const SolidPart part(scene_, eye.surface, radius);
+  if (part.is_all()) return 1;
+  uint32_t tries = 0;
+  for (uint32_t solid = 0; solid < wanted && tries < SolidPart::most_tries; ++tries)
+    solid += part.has(part.offset(rng_.more(eye.edges, tries)));
+  return float(tries) / wanted;
+}
+
 // Vertices lie anywhere in memory: some are asked for before the first of them is read.
 void EyeWalk::merge(const EyeEnd& eye, PhotonIndex::Query& query) {
   const EyeSensor::Disc& disc = this->disc(eye);
-  const float share = float(thin(eye, query));
+  const float share = float(thin(eye, query)) * over_solid_part(eye, disc.radius);
   struct Near {
     const PhotonIndex::Photon* photon;
     float d2;
@@ -87,10 +127,11 @@ bool EyeWalk::perturb(const EyeEnd& eye, Arrival& out) {
   const float radius = float(disc(eye).radius);
   if (!(radius > 0)) return true;  // no merging here either
   const SurfacePoint& own = eye.surface;
-  const Vec2 disc = square_to_disc({rng_.get(eye.edges, Slot::perturb_x), rng_.get(eye.edges, Slot::perturb_y)});
-  const Frame frame(own.ng);
+  const SolidPart part(scene_, own, radius);
+  Vec3 offset = part.offset({rng_.get(eye.edges, Slot::perturb_x), rng_.get(eye.edges, Slot::perturb_y)});
+  for (uint32_t k = 0; k < SolidPart::most_tries && !part.has(offset); ++k) offset = part.offset(rng_.more(eye.edges, k));
   float reach = 2 * max_merge_height * radius;
-  Vec3 start = own.p + (frame.s * disc.x + frame.t * disc.y) * radius + own.ng * (0.5f * reach);
+  Vec3 start = own.p + offset + own.ng * (0.5f * reach);
   for (Hit hit; reach > 0 && scene_.raytracer->intersect(start, -own.ng, reach, hit);) {
     ++work_.rays;
     out.surface = scene_.raytracer->surface_at(hit);

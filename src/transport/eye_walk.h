@@ -91,6 +91,8 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void count_disc(const EyeEnd& eye, float area);
   void merge(const EyeEnd& eye, PhotonIndex::Query& query);
   uint32_t thin(const EyeEnd& eye, PhotonIndex::Query& query);
+  class SolidPart;
+  float over_solid_part(const EyeEnd& eye, double radius);
   // share: of how many photons it stands for.
   void merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon, float d2, double radius, float share);
   LightEnd& light_end(uint32_t i);  // the light path's vertex as connections read it

@@ -215,7 +215,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (seen.cos_in < min_cosine || !(t > 0) || (response.across && t > met_.distance)) return;
     const Vec3 p = origin_ + direction_ * t;
     const Vec3 offset = p - center;
-    const float x = dot(offset, meter.frame.s), y = dot(offset, meter.frame.t);
+    const Frame plane = response.across ? Frame(direction_) : meter.frame;
+    const float x = dot(offset, plane.s), y = dot(offset, plane.t);
     if (cell && !set.covers(e.meter, e.piece, x, y)) return;
     float share = 1;
     uint32_t ring = none;

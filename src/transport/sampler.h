@@ -78,6 +78,11 @@ class PathSampler {
   // Decides how long the path gets, all by itself: what is left of it after each game is uniform again. So the lengths
   // of paths are stratified as one dimension; in white rooms they are most of the noise.
   double roulette() { return 0x1p-32 * (stratified(roulette_dimension) + double(get(1, Slot::roulette))); }
+  // Beyond those of the slots, for what takes as many as chance has it: k < 2^12.
+  Vec2 more(uint32_t vertex, uint32_t k) const {
+    const auto numbers = stream_.numbers(seed_, iteration_, path_, ~(vertex << 12 | k));
+    return {to_unit_float(numbers[0]), to_unit_float(numbers[1])};
+  }
   Vec2 position(uint32_t vertex) { return {get(vertex, Slot::position_x), get(vertex, Slot::position_y)}; }
   Vec2 direction(uint32_t vertex) { return {get(vertex, Slot::direction_x), get(vertex, Slot::direction_y)}; }
 

@@ -7,6 +7,7 @@
 #include "base/monitor.h"
 #include "emitter/point.h"
 #include "render/accumulator.h"
+#include "render/vector_light.h"
 
 namespace {
 
@@ -240,6 +241,25 @@ TEST(MeterLight, DirectLightHasNoErrorOfPhotonsThatBringNone) {
   EXPECT_GE(light.part(UPS_LIGHT_PART_INDIRECT).error_bound_lx, 20);
   light.merges_direct = true;
   EXPECT_GE(light.part(UPS_LIGHT_PART_DIRECT).error_bound_lx, 20) << "where photons bring it, too";
+}
+
+// Of a light vector along (0.6, 0.8, 0): what caustics end beside it, and of how few photons the doubt is that is widest.
+TEST(VectorLight, KnowsItsSidesCaustics) {
+  std::array<MeterLight, vector_sides> sides{};
+  VectorLight::Sides all;
+  for (uint32_t i = 0; i < vector_sides; ++i) {
+    const Vec3 axis = axis_of_side(i);
+    MeterLight& side = sides[i];
+    all[i] = &side;
+    side.visits = batch_count;
+    std::fill_n(side.sums.value, batch_count, axis.x > 0.5f ? 6 : axis.y > 0.5f ? 8 : 0);
+    side.sums.paths.fill({1, 100}), side.sums.batches.fill(0xffff);
+    if (axis.x > 0.5f) side.edge = 5, side.sums.caustics = 20, side.photons.caustic.chance = 2;
+    if (axis.y > 0.5f) side.edge = 10, side.sums.caustics = 30, side.photons.caustic.chance = 1;
+  }
+  const MeterLight length = VectorLight(all, 1).length(whole_light);
+  EXPECT_NEAR(length.edge, std::hypot(0.6 * 5, 0.8 * 10), 1e-6);
+  EXPECT_EQ(length.sums.caustics, 20u);
 }
 
 // Of two columns the second has no emitter: it is known to be dark, beside what is unknown of the other.

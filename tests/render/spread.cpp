@@ -57,7 +57,6 @@ TEST(ZeroBound, IsTheRuleOfThree) {
   EXPECT_DOUBLE_EQ((ChanceLight{5, 1, 40}.bound(2, 10)), 3.74 * 40 / 10);
 }
 
-// Half of each batch's photons on the inner half of the disc in even batches, so that the discs of the halves differ.
 // As rare as a normal number at its root: exact tails of Poisson's distribution, to one side, 0.15 of a deviation and 2 %.
 TEST(ZeroBound, DeviancesAreThoseOfPoissonNumbers) {
   const auto chance = [](int events, double mean, bool below) {
@@ -77,6 +76,7 @@ TEST(ZeroBound, DeviancesAreThoseOfPoissonNumbers) {
   EXPECT_EQ(poisson_deviance(0, 0), 0);
 }
 
+// Half of each batch's photons on the inner half of the disc in even batches, so that the discs of the halves differ.
 TEST(MeterRings, StateTheNoiseOfChoosing) {
   Rings rings;
   rings.count = 2;

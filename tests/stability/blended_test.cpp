@@ -230,6 +230,28 @@ TEST(Taught, BlendedSheetsAndWhatTheyLieOnAreMergedApart) {
       scene, camera, {.method = UPS_METHOD_PPM, .iterations = 24, .merge_radius_m = 0.05, .light_paths = 1u << 15});
 }
 
+// Holes finer than the radius, cut out or blended away, three quarters of a sheet: it is as bright as photons that land
+// on the rest say, not a quarter of that. By merging alone, and where both mappings of a quad's triangles lean.
+TEST(Taught, PerforatedSurfacesAreMergedByWhatIsSolidOfThem) {
+  for (const bool cut : {true, false}) {
+    Scene scene;
+    ups_material_desc sheet = blended(matte(0.8), 1);
+    if (cut) sheet.alpha_mode = UPS_ALPHA_MASK, sheet.alpha_cutoff = 0.5f;
+    const float a = 1, b = cut ? 0.2f : 0.0f;
+    constexpr uint32_t side = 32;
+    std::vector<float> texels;
+    for (uint32_t i = 0; i < side * side; ++i) texels.insert(texels.end(), 3, i / side < side / 2 && i % side < side / 2 ? a : b);
+    sheet.alpha_texture = scene.add_texture(side, side, texels);
+    Shape square = quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    square.uvs = {{0, 0}, {60, 20}, {40, 90}, {-20, 70}};
+    scene.add(square, sheet);
+    scene.add_point_light({0, 0, 1}, candela);
+    const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 32, 32, 0.5);
+    expect_merged_as_traced(scene, camera, {.method = UPS_METHOD_PPM, .iterations = cut ? 64u : 192u,
+                                            .merge_radius_m = 0.1, .light_paths = 1u << 14});
+  }
+}
+
 // A boundary of glass that is there for some of the light would bound nothing.
 TEST(Taught, GlassIsNotBlended) {
   Scene scene;

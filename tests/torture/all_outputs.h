@@ -1,5 +1,6 @@
-// What survive() does not look at otherwise: meters of all kinds, an observer, all layers of a camera and its images by
-// technique, the curve and what is predicted. None may hold a number that is not finite.
+// What survive() does not look at otherwise: meters of all kinds, an observer, a goniometer and its profile's files, all
+// layers of a camera and its images by technique, statistics of sets, the curve and what is predicted. None may hold a
+// number that is not finite.
 #pragma once
 #include "../support/scene_builder.h"
 
