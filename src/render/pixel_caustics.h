@@ -24,7 +24,7 @@ class PixelCaustics {
   struct Unfound {
     double lx = 0;       // in the mean over the tile, parts of which may see nothing that light falls on
     double photons = 0;  // that were found
-    double light = 0, of_visit = 0;  // luminance, lx, that they bring a pixel that sees something; how many its disc meets
+    double light = 0, of_visit = 0;  // luminance, lx, they bring a pixel that sees something; how many its disc meets
     // Standard error of that light in a pixel, where so few photons are due that its batches do not know it. Of less than
     // one that light is missing, or its batches know it.
     double noise(uint32_t visits) const {

@@ -8,7 +8,8 @@ namespace ups {
 bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) {
   const EyeSensor::Disc& disc = this->disc(eye);
   if (!eye.merge || !(disc.radius > 0)) return false;
-  if (&disc == &sensor_.first) count_disc(eye, pi * float(disc.radius * disc.radius));
+  over_solid_ = over_solid_part(eye, disc.radius);
+  if (&disc == &sensor_.first) count_disc(eye, pi * float(disc.radius * disc.radius) / over_solid_);
   disc.photons->ask(eye.surface.p, float(disc.radius), query);
   return query.count > 0;
 }
@@ -37,50 +38,52 @@ uint32_t EyeWalk::thin(const EyeEnd& eye, PhotonIndex::Query& query) {
   return query.stride;
 }
 
-// The disc of a surface that alpha cuts holes into: what is solid of it, as the vertex's triangle is mapped.
-class EyeWalk::SolidPart {
+// Where alpha cuts holes into the disc about a vertex, as its triangle's mapping goes on.
+class EyeWalk::Holes {
  public:
-  SolidPart(const Snapshot& scene, const SurfacePoint& s, double radius)
-      : frame_(s.ng), uv_(s.uv), radius_(float(radius)), holes_(&scene.texturing[s.material]) {
-    if (!holes_->alpha || !holes_->may_have_holes())
-      holes_ = nullptr;
-    else
-      chart_ = scene.raytracer->chart_at(s);
-  }
   static constexpr uint32_t most_tries = 1 << 12;
-  bool is_all() const { return !holes_; }
-  Vec3 offset(const Vec2& square) const {
+  static Vec3 offset(const SurfacePoint& s, const Vec2& square, double radius) {
+    const Frame frame(s.ng);
     const Vec2 disc = square_to_disc(square);
-    return (frame_.s * disc.x + frame_.t * disc.y) * radius_;
+    return (frame.s * disc.x + frame.t * disc.y) * float(radius);
   }
+  Holes(const Snapshot& scene, const SurfacePoint& s, double radius) : uv_(s.uv) {
+    const SurfaceTexturing& t = scene.texturing[s.material];
+    if (!t.alpha || !t.may_have_holes()) return;
+    constexpr double most_repeats = 1e4;  // beyond it floats tell no places of the texture apart
+    chart_ = scene.raytracer->chart_at(s);
+    if (std::max(max_abs(chart_.u), max_abs(chart_.v)) * radius < most_repeats) texturing_ = &t;
+  }
+  explicit operator bool() const { return texturing_; }
   bool has(const Vec3& offset) const {
-    return !holes_ || !holes_->is_hole_at({uv_.x + dot(chart_.u, offset), uv_.y + dot(chart_.v, offset)});
+    return texturing_ && texturing_->is_hole_at({uv_.x + dot(chart_.u, offset), uv_.y + dot(chart_.v, offset)});
   }
 
  private:
-  const Frame frame_;
   const Vec2 uv_;
-  const float radius_;
-  const SurfaceTexturing* holes_;  // null: it has none
+  const SurfaceTexturing* texturing_ = nullptr;  // null: no holes
   Raytracer::Chart chart_;
 };
 
-// How much larger the disc is than what is solid of it, where alone photons are: places of it at random until so many of
-// them are solid are in the mean that many times more (negative binomial distribution).
+// How much larger the disc is than the part of it where photons can be: places of it at random until so many are solid
+// are in the mean that many times more (negative binomial distribution). What the mapping takes for a hole may be
+// filled: by another part of the mesh, a frame, the floor below.
 float EyeWalk::over_solid_part(const EyeEnd& eye, double radius) {
-  constexpr uint32_t wanted = 16;  // which adds at most a quarter of what is merged here as noise
-  const SolidPart part(scene_, eye.surface, radius);
-  if (part.is_all()) return 1;
-  uint32_t tries = 0;
-  for (uint32_t solid = 0; solid < wanted && tries < SolidPart::most_tries; ++tries)
-    solid += part.has(part.offset(rng_.more(eye.edges, tries)));
-  return float(tries) / wanted;
+  constexpr uint32_t wanted = 8;  // which adds at most a third of what is merged here as noise
+  const Holes holes(scene_, eye.surface, radius);
+  if (!holes) return 1;
+  uint32_t tries = 0, solid = 0;
+  for (Arrival beside; solid < wanted && tries < Holes::most_tries; ++tries) {
+    const Vec3 offset = Holes::offset(eye.surface, rng_.more(eye.edges, tries), radius);
+    solid += !holes.has(offset) || meet_beside(eye, offset, radius, beside);
+  }
+  return solid > 0 ? float(tries) / float(wanted) : 1;
 }
 
 // Vertices lie anywhere in memory: some are asked for before the first of them is read.
 void EyeWalk::merge(const EyeEnd& eye, PhotonIndex::Query& query) {
   const EyeSensor::Disc& disc = this->disc(eye);
-  const float share = float(thin(eye, query)) * over_solid_part(eye, disc.radius);
+  const float share = float(thin(eye, query)) * over_solid_;
   struct Near {
     const PhotonIndex::Photon* photon;
     float d2;
@@ -119,30 +122,42 @@ void EyeWalk::merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon,
   keep_separated(c->emitter, 0.0, 0.0, bias);
 }
 
-// y_{s+1} of the extended path space (Hachisuka, Pantaleoni, Jensen 2012, section 3) is drawn from the merging kernel on
-// the surface around z_t, and takes the place of z_t for what arrives. Drawn on the tangent disc and moved along the
-// normal onto a surface where a photon would be stored and merged; false where there is none: the kernel reaches beyond
-// the surface. Of two such surfaces that close to each other it takes the upper one, where merging counts both.
-bool EyeWalk::perturb(const EyeEnd& eye, Arrival& out) {
-  const float radius = float(disc(eye).radius);
-  if (!(radius > 0)) return true;  // no merging here either
+// Moves from beside a vertex along its normal onto a surface where a photon would be stored and merged; false where there
+// is none. Of two such surfaces that close to each other it takes the upper one, where merging counts both.
+bool EyeWalk::meet_beside(const EyeEnd& eye, const Vec3& offset, double radius, Arrival& out) {
   const SurfacePoint& own = eye.surface;
-  const SolidPart part(scene_, own, radius);
-  Vec3 offset = part.offset({rng_.get(eye.edges, Slot::perturb_x), rng_.get(eye.edges, Slot::perturb_y)});
-  for (uint32_t k = 0; k < SolidPart::most_tries && !part.has(offset); ++k) offset = part.offset(rng_.more(eye.edges, k));
-  float reach = 2 * max_merge_height * radius;
+  const Vec3& side = eye.edges == 0 ? own.shading.n : eye.wo;
+  float reach = 2 * max_merge_height * float(radius);
   Vec3 start = own.p + offset + own.ng * (0.5f * reach);
   for (Hit hit; reach > 0 && scene_.raytracer->intersect(start, -own.ng, reach, hit);) {
     ++work_.rays;
     out.surface = scene_.raytracer->surface_at(hit);
     const float cosine = dot(out.surface.ng, own.ng);
     const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
-    if (merge_gate(bsdf) && cosine >= min_merge_cosine && length2(out.surface.p - own.p) <= radius * radius) {
+    const bool apart = out.surface.material != own.material &&
+                       (scene_.panes.is_blended(own.instance) || scene_.panes.is_blended(out.surface.instance));
+    if (merge_gate(bsdf) && !apart && cosine >= min_merge_cosine && length2(out.surface.p - own.p) <= radius * radius) {
       out.ratio = 1 / cosine;
-      return nothing_between(scene_, own, eye.wo, out.surface.p, out.surface.error, double(radius), work_);
+      return nothing_between(scene_, own, side, out.surface.p, out.surface.error, radius, work_);
     }
     start = out.surface.ray_origin(-own.ng);
     reach -= hit.t + 2 * out.surface.error;
+  }
+  return false;
+}
+
+// y_{s+1} of the extended path space (Hachisuka, Pantaleoni, Jensen 2012, section 3) is drawn from the merging kernel on
+// the surface around z_t, and takes the place of z_t for what arrives. Drawn on the tangent disc, again where a hole is;
+// false where there is no surface: the kernel reaches beyond it.
+bool EyeWalk::perturb(const EyeEnd& eye, Arrival& out) {
+  const double radius = disc(eye).radius;
+  if (!(radius > 0)) return true;  // no merging here either
+  const Holes holes(scene_, eye.surface, radius);
+  Vec2 square(rng_.get(eye.edges, Slot::perturb_x), rng_.get(eye.edges, Slot::perturb_y));
+  for (uint32_t k = 0; k < Holes::most_tries; square = rng_.more(eye.edges, k++)) {
+    const Vec3 offset = Holes::offset(eye.surface, square, radius);
+    if (meet_beside(eye, offset, radius, out)) return true;
+    if (!holes.has(offset)) return false;
   }
   return false;
 }

@@ -29,6 +29,7 @@ EyeTally EyeWalk::from_surface(const SurfacePoint& surface, const Frame& frame) 
   if (eye.merge) {
     eye.surface.ng = surface.ng;  // photons tell by it which side they lie on
     eye.surface.instance = surface.instance, eye.surface.material = surface.material;
+    eye.surface.primitive = surface.primitive, eye.surface.uv = surface.uv;
     PhotonIndex::Query photons;
     if (ask_photons(eye, photons)) {
       disc(eye).photons->find_rows(photons);

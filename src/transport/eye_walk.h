@@ -91,8 +91,9 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void count_disc(const EyeEnd& eye, float area);
   void merge(const EyeEnd& eye, PhotonIndex::Query& query);
   uint32_t thin(const EyeEnd& eye, PhotonIndex::Query& query);
-  class SolidPart;
+  class Holes;
   float over_solid_part(const EyeEnd& eye, double radius);
+  bool meet_beside(const EyeEnd& eye, const Vec3& offset, double radius, Arrival& out);
   // share: of how many photons it stands for.
   void merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon, float d2, double radius, float share);
   LightEnd& light_end(uint32_t i);  // the light path's vertex as connections read it
@@ -144,6 +145,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   float counted_share_ = 0;                   // of its disc
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
+  float over_solid_ = 1;    // see over_solid_part, of the vertex that photons are asked for
 };
 
 }  // namespace ups

@@ -215,8 +215,10 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (seen.cos_in < min_cosine || !(t > 0) || (response.across && t > met_.distance)) return;
     const Vec3 p = origin_ + direction_ * t;
     const Vec3 offset = p - center;
-    const Frame plane = response.across ? Frame(direction_) : meter.frame;
-    const float x = dot(offset, plane.s), y = dot(offset, plane.t);
+    // Across the light octants alone are asked for: axes of equal length that turn as the direction does.
+    const Vec3 t_axis = response.across ? cross(Vec3(0.36f, 0.48f, 0.8f), direction_) : meter.frame.t,
+               s_axis = response.across ? cross(t_axis, direction_) : meter.frame.s;
+    const float x = dot(offset, s_axis), y = dot(offset, t_axis);
     if (cell && !set.covers(e.meter, e.piece, x, y)) return;
     float share = 1;
     uint32_t ring = none;

@@ -34,6 +34,34 @@ TEST(SurfacePoint, AgreesWithDoubleArithmetic) {
   }
 }
 
+// Texture coordinates go on beside a point as the triangle is mapped: of one instance, which is baked, of several, mirrored.
+TEST(SurfacePoint, ChartsTellTheMappingBesideIt) {
+  std::mt19937 rng(4);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  Mesh mesh;
+  for (uint32_t i = 0; i < 300; ++i) {
+    mesh.positions.push_back({uniform(rng), uniform(rng), uniform(rng)}), mesh.indices.push_back(i);
+    mesh.uvs.push_back({10 * uniform(rng), 10 * uniform(rng)});
+  }
+  const Affine a = tilted(0.5, {-9, 4, 2}), mirrored = affine({-1, 0, 0}, {0, 2, 0}, {0, 0, 1}, {3, -6, 0});
+  const Rig alone({mesh}, {{0, mirrored}}), several({mesh}, {{0, a}, {0, mirrored}});
+  for (const Rig* rig : {&alone, &several})
+    for (uint32_t k = 0; k < 400; ++k) {
+      const uint32_t instance = rig == &several ? k & 1 : 0, primitive = (k / 2) % 100;
+      const SurfacePoint from = rig->tracer->surface_at(instance, primitive, 0.2f, 0.3f),
+                         to = rig->tracer->surface_at(instance, primitive, 0.4f, 0.15f);
+      const Raytracer::Chart chart = rig->tracer->chart_at(from);
+      const Vec3 way = to.p - from.p;
+      EXPECT_NEAR(from.uv.x + dot(chart.u, way), to.uv.x, 1e-2f);
+      EXPECT_NEAR(from.uv.y + dot(chart.v, way), to.uv.y, 1e-2f);
+      EXPECT_NEAR(dot(chart.u, from.ng), 0, 1e-3f * length(chart.u));
+    }
+  Mesh bare = mesh;
+  bare.uvs.clear();
+  const Rig rig({bare}, {{0, a}});
+  EXPECT_EQ(length(rig.tracer->chart_at(rig.tracer->surface_at(0, 0, 0.2f, 0.3f)).u), 0);
+}
+
 TEST(Instances, AreWhatBakedCopiesAre) {
   const Mesh mesh = box({-1, -2, -0.5f}, {1, 2, 0.5f});
   const std::vector<Affine> places = {tilted(1, {5, 0, 0}), tilted(0.3, {-3, 2, 1}),

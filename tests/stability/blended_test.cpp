@@ -230,26 +230,59 @@ TEST(Taught, BlendedSheetsAndWhatTheyLieOnAreMergedApart) {
       scene, camera, {.method = UPS_METHOD_PPM, .iterations = 24, .merge_radius_m = 0.05, .light_paths = 1u << 15});
 }
 
-// Holes finer than the radius, cut out or blended away, three quarters of a sheet: it is as bright as photons that land
-// on the rest say, not a quarter of that. By merging alone, and where both mappings of a quad's triangles lean.
+// Holes finer than the radius, cut out or blended away, three quarters of a sheet.
+Shape perforated(Scene& scene, bool cut, ups_material_desc& sheet) {
+  sheet = blended(matte(0.8), 1);
+  if (cut) sheet.alpha_mode = UPS_ALPHA_MASK, sheet.alpha_cutoff = 0.5f;
+  const float a = 1, b = cut ? 0.2f : 0.0f;
+  constexpr uint32_t side = 32;
+  std::vector<float> texels;
+  for (uint32_t i = 0; i < side * side; ++i)
+    texels.insert(texels.end(), 3, i / side < side / 2 && i % side < side / 2 ? a : b);
+  sheet.alpha_texture = scene.add_texture(side, side, texels);
+  Shape square = quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  square.uvs = {{0, 0}, {60, 20}, {40, 90}, {-20, 70}};
+  return square;
+}
+
+// It is as bright as photons that land on the rest say, not a quarter of that: by merging alone. And where a floor right
+// below fills the holes, as bright as photons on both say.
 TEST(Taught, PerforatedSurfacesAreMergedByWhatIsSolidOfThem) {
-  for (const bool cut : {true, false}) {
+  for (const auto& [cut, floor] : {std::pair{true, false}, {false, false}, {true, true}}) {
     Scene scene;
-    ups_material_desc sheet = blended(matte(0.8), 1);
-    if (cut) sheet.alpha_mode = UPS_ALPHA_MASK, sheet.alpha_cutoff = 0.5f;
-    const float a = 1, b = cut ? 0.2f : 0.0f;
-    constexpr uint32_t side = 32;
-    std::vector<float> texels;
-    for (uint32_t i = 0; i < side * side; ++i) texels.insert(texels.end(), 3, i / side < side / 2 && i % side < side / 2 ? a : b);
-    sheet.alpha_texture = scene.add_texture(side, side, texels);
-    Shape square = quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
-    square.uvs = {{0, 0}, {60, 20}, {40, 90}, {-20, 70}};
+    ups_material_desc sheet;
+    const Shape square = perforated(scene, cut, sheet);
     scene.add(square, sheet);
+    if (floor) scene.add(quad({-1, -1, -0.0005}, {2, 0, 0}, {0, 2, 0}), matte(0.4));
     scene.add_point_light({0, 0, 1}, candela);
     const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 32, 32, 0.5);
     expect_merged_as_traced(scene, camera, {.method = UPS_METHOD_PPM, .iterations = cut ? 64u : 192u,
                                             .merge_radius_m = 0.1, .light_paths = 1u << 14});
   }
+}
+
+// What falls onto the solid quarter, of which one sample in four of an illuminance image tells: by merging over by path
+// tracing. The mean ratio of eight seeds is told to 0.2 % and within 0.6 % of one: 1 % is found in 97 of 100 cases, and
+// a false alarm takes three standard errors.
+TEST(Taught, PerforatedSurfacesAreSeenByIlluminanceImages) {
+  Scene scene;
+  ups_material_desc sheet;
+  const Shape square = perforated(scene, true, sheet);
+  scene.add(square, sheet);
+  scene.add_point_light({0, 0, 1}, candela);
+  const Sensor camera = scene.add_camera({0, 0, 1.6}, {0, 0, -1}, 16, 16, 0.5, true);
+  std::vector<double> ratios;
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    double lx[2] = {};
+    for (const bool merged : {false, true})
+      for (const float v : scene.render({.method = merged ? UPS_METHOD_PPM : UPS_METHOD_PATH_TRACING, .iterations = 400,
+                                         .seed = seed, .merge_radius_m = 0.1, .light_paths = 1u << 14})
+                               .image(camera).illuminance)
+        lx[merged] += v;
+    ratios.push_back(lx[1] / lx[0]);
+  }
+  const Mean ratio = mean_of(ratios);
+  expect_within(ratio.value, ratio.standard_error, 1, 0.006, 0.002, "illuminance image");
 }
 
 // A boundary of glass that is there for some of the light would bound nothing.

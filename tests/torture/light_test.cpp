@@ -108,9 +108,10 @@ TEST(Torture, CandelasFromAMillionthToABillionInOneRoom) {
 
 // In the middle of a grey cube, where each lamp has Phi / (S (1 - rho)) on the floor, and in points the same share of
 // what all have. What walls bring of a lamp that others outshine a millionfold is found by chance alone, and bounds say
-// so: twice each covers it, and each is at most 1 % of what all have, by SPPM 3 %. Of the brightest, which has 90 %, bounds are 1.5 %, in full 0.5 %, and means are judged as
-// expect_lx.h says, with its false alarms, by their meters' own errors, each taken for its own, of at most 0.17 %: 1 %
-// is found in 96 cases of 100. 36 points: of more than 64 meters each has fewer paths an iteration.
+// so: twice each covers it, and each is at most 1 % of what all have, by SPPM 3 %. Of the brightest, which has 90 %,
+// bounds are 1.5 %, in full 0.5 %, and means are judged as expect_lx.h says, with its false alarms, by their meters' own
+// errors, each taken for its own, of at most 0.17 %: 1 % is found in 96 cases of 100. 36 points: of more than 64 meters
+// each has fewer paths an iteration.
 TEST(Torture, CandelasFromAMillionthToABillionInAGreyRoom) {
   constexpr double side = 4, brightest = 1e9;
   Scene scene;
