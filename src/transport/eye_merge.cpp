@@ -8,15 +8,15 @@ namespace ups {
 bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) {
   const EyeSensor::Disc& disc = this->disc(eye);
   if (!eye.merge || !(disc.radius > 0)) return false;
-  over_solid_ = over_solid_part(eye, disc.radius);
-  if (&disc == &sensor_.first) count_disc(eye, pi * float(disc.radius * disc.radius) / over_solid_);
   disc.photons->ask(eye.surface.p, float(disc.radius), query);
+  const bool counts = &disc == &sensor_.first && counted_edges_ == none;
+  if (counts || query.count > 0) solid_ = solid_part(eye, disc.radius);
+  if (counts) count_disc(eye, pi * float(disc.radius * disc.radius) * solid_.share);
   return query.count > 0;
 }
 
 // Discs of neighbours overlap, and find the same photons. Of a path that has two such vertices the first one counts.
 void EyeWalk::count_disc(const EyeEnd& eye, float area) {
-  if (counted_edges_ != none) return;
   const float cosine = std::abs(dot(eye.wo, eye.surface.ng)),
               own = eye.edges == 0 ? sensor_.own_area_m2 : own_angle_sr_ * seen_from_m_ * seen_from_m_ / cosine;
   counted_edges_ = eye.edges;
@@ -65,25 +65,26 @@ class EyeWalk::Holes {
   Raytracer::Chart chart_;
 };
 
-// How much larger the disc is than the part of it where photons can be: places of it at random until so many are solid
-// are in the mean that many times more (negative binomial distribution). What the mapping takes for a hole may be
-// filled: by another part of the mesh, a frame, the floor below.
-float EyeWalk::over_solid_part(const EyeEnd& eye, double radius) {
+// The part of a disc where photons can be: places of it at random until so many are solid are in the mean as many times
+// more as it is smaller (negative binomial distribution; of its share Haldane 1945, Biometrika 33, 222). What the mapping
+// takes for a hole may be filled: by another part of the mesh, a frame, the floor below.
+EyeWalk::SolidPart EyeWalk::solid_part(const EyeEnd& eye, double radius) {
   constexpr uint32_t wanted = 8;  // which adds at most a third of what is merged here as noise
   const Holes holes(scene_, eye.surface, radius);
-  if (!holes) return 1;
+  if (!holes) return {};
   uint32_t tries = 0, solid = 0;
   for (Arrival beside; solid < wanted && tries < Holes::most_tries; ++tries) {
     const Vec3 offset = Holes::offset(eye.surface, rng_.more(eye.edges, tries), radius);
     solid += !holes.has(offset) || meet_beside(eye, offset, radius, beside);
   }
-  return solid > 0 ? float(tries) / float(wanted) : 1;
+  if (solid == 0) return {};
+  return {float(tries) / float(solid), solid < wanted ? float(solid) / float(tries) : (wanted - 1) / float(tries - 1)};
 }
 
 // Vertices lie anywhere in memory: some are asked for before the first of them is read.
 void EyeWalk::merge(const EyeEnd& eye, PhotonIndex::Query& query) {
   const EyeSensor::Disc& disc = this->disc(eye);
-  const float share = float(thin(eye, query)) * over_solid_;
+  const float share = float(thin(eye, query)) * solid_.over;
   struct Near {
     const PhotonIndex::Photon* photon;
     float d2;
@@ -123,20 +124,22 @@ void EyeWalk::merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon,
 }
 
 // Moves from beside a vertex along its normal onto a surface where a photon would be stored and merged; false where there
-// is none. Of two such surfaces that close to each other it takes the upper one, where merging counts both.
+// is none. Of two such surfaces that close to each other it takes the upper one, by ng, where merging counts both.
 bool EyeWalk::meet_beside(const EyeEnd& eye, const Vec3& offset, double radius, Arrival& out) {
   const SurfacePoint& own = eye.surface;
   const Vec3& side = eye.edges == 0 ? own.shading.n : eye.wo;
   float reach = 2 * max_merge_height * float(radius);
   Vec3 start = own.p + offset + own.ng * (0.5f * reach);
-  for (Hit hit; reach > 0 && scene_.raytracer->intersect(start, -own.ng, reach, hit);) {
+  for (Hit hit; reach > 0;) {
     ++work_.rays;
+    if (!scene_.raytracer->intersect(start, -own.ng, reach, hit)) return false;
     out.surface = scene_.raytracer->surface_at(hit);
     const float cosine = dot(out.surface.ng, own.ng);
     const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
     const bool apart = out.surface.material != own.material &&
                        (scene_.panes.is_blended(own.instance) || scene_.panes.is_blended(out.surface.instance));
-    if (merge_gate(bsdf) && !apart && cosine >= min_merge_cosine && length2(out.surface.p - own.p) <= radius * radius) {
+    if (merge_gate(bsdf) && !apart && cosine >= min_merge_cosine &&
+        length2(out.surface.p - own.p) <= float(radius) * float(radius)) {
       out.ratio = 1 / cosine;
       return nothing_between(scene_, own, side, out.surface.p, out.surface.error, radius, work_);
     }

@@ -92,7 +92,11 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void merge(const EyeEnd& eye, PhotonIndex::Query& query);
   uint32_t thin(const EyeEnd& eye, PhotonIndex::Query& query);
   class Holes;
-  float over_solid_part(const EyeEnd& eye, double radius);
+  // Of a disc: how many times larger it is, and its share, each right in the mean.
+  struct SolidPart {
+    float over = 1, share = 1;
+  };
+  SolidPart solid_part(const EyeEnd& eye, double radius);
   bool meet_beside(const EyeEnd& eye, const Vec3& offset, double radius, Arrival& out);
   // share: of how many photons it stands for.
   void merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon, float d2, double radius, float share);
@@ -145,7 +149,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   float counted_share_ = 0;                   // of its disc
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
-  float over_solid_ = 1;    // see over_solid_part, of the vertex that photons are asked for
+  SolidPart solid_;         // of the vertex that photons are asked for
 };
 
 }  // namespace ups

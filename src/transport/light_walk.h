@@ -216,7 +216,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     const Vec3 p = origin_ + direction_ * t;
     const Vec3 offset = p - center;
     // Across the light octants alone are asked for: axes of equal length that turn as the direction does.
-    const Vec3 t_axis = response.across ? cross(Vec3(0.36f, 0.48f, 0.8f), direction_) : meter.frame.t,
+    const Vec3 t_axis = response.across ? cross(Vec3(0.3713f, -0.5291f, 0.7639f), direction_) : meter.frame.t,
                s_axis = response.across ? cross(t_axis, direction_) : meter.frame.s;
     const float x = dot(offset, s_axis), y = dot(offset, t_axis);
     if (cell && !set.covers(e.meter, e.piece, x, y)) return;
