@@ -4,8 +4,9 @@
 // The wall itself emits, Phi = pi L A in all, so that E = Phi / (A (1 - rho)) = pi L / (1 - rho) at every place and in
 // every direction, of the mesh as of the sphere; and a path's every vertex brings as much as any other, so that the
 // length of paths is all the noise there is. By every subset of techniques that can carry all light without blur: with
-// emitter hits or next-event estimation, cells also with light that lands. (What only merging brings is blurred across
-// the mesh's edges; tests/analytic/technique_subsets_test.cpp has those subsets, within what the blur is.)
+// emitter hits or next-event estimation, cells also with light that lands; at points also by photons on the meters' own
+// discs. (What merging brings on the wall is blurred across the mesh's edges; tests/analytic/technique_subsets_test.cpp
+// has those subsets, within what the blur is.)
 //
 // Within 0.3 %, at standard errors of at most 0.1 %: an error of 0.6 % is found in 99 cases of 100, of 1 % with
 // certainty. False alarms take 3 standard errors, P(|t_11| > 3) = 1.2 % for each comparison at the limit of noise.
@@ -80,6 +81,18 @@ TEST_P(Hazard12, EverySubsetOfTechniquesReachesTheEnergyBalanceOverCells) {
   Sphere sphere(0.01 * GetParam());
   const uint32_t complete = full() ? uint32_t(UPS_TECHNIQUE_SENSOR_HIT) : uint32_t(UPS_TECHNIQUE_EMITTER_HIT);
   expect_all(sphere, sphere.add_cells(), of_cells, complete);
+}
+
+// Photons that land on the meters' own discs and nothing else, whose light is alike all over them: by SPPM.
+TEST_P(Hazard12, LightThatLandsOnTheMetersReachesTheEnergyBalance) {
+  if (GetParam() != 50 && !full() && !low_effort()) GTEST_SKIP() << "in the full form";
+  Sphere sphere(0.01 * GetParam());
+  const Sensor points = sphere.add_points();
+  RenderOptions options{.method = UPS_METHOD_SPPM, .iterations = 16, .merge_radius_m = 0.2, .light_paths = 1u << 12};
+  const auto s = render_until_quiet(sphere.scene, options, 16u << 8, [&](const Result& r) {
+                   return r.statistics(points).mean_standard_error_lx / (largest_noise * sphere.balance);
+                 }).statistics(points);
+  expect_within(s.mean_lx, s.mean_standard_error_lx, sphere.balance, tolerance, largest_noise, "SPPM");
 }
 
 // Around a point source: its flux over the mesh's own area. Roulette alone makes noise, as every point of the wall gets
