@@ -5,8 +5,7 @@
 // every direction, of the mesh as of the sphere; and a path's every vertex brings as much as any other, so that the
 // length of paths is all the noise there is. By every subset of techniques that can carry all light without blur: with
 // emitter hits or next-event estimation, cells also with light that lands; at points also by photons on the meters' own
-// discs. (What merging brings on the wall is blurred across the mesh's edges; tests/analytic/technique_subsets_test.cpp
-// has those subsets, within what the blur is.)
+// discs, and by merging alone, which the mesh's edges blur by some tenths of a percent.
 //
 // Within 0.3 %, at standard errors of at most 0.1 %: an error of 0.6 % is found in 99 cases of 100, of 1 % with
 // certainty. False alarms take 3 standard errors, P(|t_11| > 3) = 1.2 % for each comparison at the limit of noise.
@@ -93,6 +92,25 @@ TEST_P(Hazard12, LightThatLandsOnTheMetersReachesTheEnergyBalance) {
                    return r.statistics(points).mean_standard_error_lx / (largest_noise * sphere.balance);
                  }).statistics(points);
   expect_within(s.mean_lx, s.mean_standard_error_lx, sphere.balance, tolerance, largest_noise, "SPPM");
+}
+
+// Merging alone, also with connections, at the meters and on the wall, within discs in which it is hardly bent. Many
+// meters, whose eye paths meet the same photons.
+TEST_P(Hazard12, LightThatIsMergedReachesTheEnergyBalance) {
+  if (!full() && !low_effort()) GTEST_SKIP() << "in the full form";
+  Sphere sphere(0.01 * GetParam());
+  const Points many = points_inside(icosphere({0, 0, 0}, 0.5, 2), GetParam() == 98 ? 128 : 512, 1);
+  const Sensor points = sphere.scene.add_meters(many.positions, many.normals);
+  const double radius = GetParam() == 50 ? 0.1 : GetParam() == 98 ? 0.02 : 0.03;
+  for (const uint32_t with : {0u, uint32_t(UPS_TECHNIQUE_CONNECT)}) {
+    RenderOptions options{.iterations = 16, .merge_radius_m = radius, .light_paths = 1u << 12,
+                          .techniques = UPS_TECHNIQUE_MERGE | with};
+    const auto s = render_until_quiet(sphere.scene, options, 16u << 6, [&](const Result& r) {
+                     return r.statistics(points).mean_standard_error_lx / (largest_noise * sphere.balance);
+                   }).statistics(points);
+    expect_within(s.mean_lx, s.mean_standard_error_lx, sphere.balance, tolerance, largest_noise,
+                  "subset " + std::to_string(options.techniques));
+  }
 }
 
 // Around a point source: its flux over the mesh's own area. Roulette alone makes noise, as every point of the wall gets
