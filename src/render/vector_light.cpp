@@ -43,14 +43,14 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
       out.largest[part] = std::max(out.largest[part], side.largest[part]);
       out.exact[part] = out.exact[part] && side.exact[part];
       const auto [error, bound] = side.error_of(part);
-      const double unsure = size * (side.unfound[part] + side.photons.caustic.size());
-      if (part == whole_light && unsure > most_unsure) most_unsure = unsure, out.sums.caustics = side.sums.caustics;
       out.unfound[part] += size * (error < 0 ? std::max(bound, 0.0f) : float(side.unfound[part]));
       if (part == whole_light && error >= 0) {
         out.photons.caustic.shift += share * side.photons.caustic.shift;
         out.photons.caustic.chance += size * side.photons.caustic.chance;
       }
     }
+    const double unsure = size * (side.unfound[whole_light] + side.photons.caustic.size());
+    if (unsure > most_unsure) most_unsure = unsure, out.sums.caustics = side.sums.caustics;
     out.bias.mean += share * side.bias.mean;
     out.bias_apart = std::hypot(out.bias_apart, share * side.bias_apart);
     out.edge = std::hypot(out.edge, share * side.edge);
