@@ -10,18 +10,19 @@ bool EyeWalk::ask_photons(const EyeEnd& eye, PhotonIndex::Query& query) {
   if (!eye.merge || !(disc.radius > 0)) return false;
   disc.photons->ask(eye.surface.p, float(disc.radius), query);
   const bool counts = &disc == &sensor_.first && counted_edges_ == none;
-  if (counts || query.count > 0) solid_ = solid_part(eye, disc.radius);
-  if (counts) count_disc(eye, pi * float(disc.radius * disc.radius) * solid_.share);
+  solid_.reset();
+  if (counts) count_disc(eye, disc.radius);
   return query.count > 0;
 }
 
 // Discs of neighbours overlap, and find the same photons. Of a path that has two such vertices the first one counts.
-void EyeWalk::count_disc(const EyeEnd& eye, float area) {
-  const float cosine = std::abs(dot(eye.wo, eye.surface.ng)),
+void EyeWalk::count_disc(const EyeEnd& eye, double radius) {
+  const SolidPart part = in_.plan.seeks_caustics ? solid_part(eye, radius) : SolidPart{};  // else nobody reads it
+  const float area = pi * float(radius * radius), cosine = std::abs(dot(eye.wo, eye.surface.ng)),
               own = eye.edges == 0 ? sensor_.own_area_m2 : own_angle_sr_ * seen_from_m_ * seen_from_m_ / cosine;
   counted_edges_ = eye.edges;
-  tally_.disc_m2 = std::min(area, own);
-  counted_share_ = tally_.disc_m2 / area;
+  tally_.disc_m2 = std::min(area * part.share, own);
+  counted_share_ = std::min(1.0f, own * part.over / area);
 }
 
 // Of a crowd of photons each k-th counts, k times: what is merged stays the same in the mean, and a light path that
@@ -68,7 +69,12 @@ class EyeWalk::Holes {
 // The part of a disc where photons can be: places of it at random until so many are solid are in the mean as many times
 // more as it is smaller (negative binomial distribution; of its share Haldane 1945, Biometrika 33, 222). What the mapping
 // takes for a hole may be filled: by another part of the mesh, a frame, the floor below.
-EyeWalk::SolidPart EyeWalk::solid_part(const EyeEnd& eye, double radius) {
+const EyeWalk::SolidPart& EyeWalk::solid_part(const EyeEnd& eye, double radius) {
+  if (!solid_) solid_ = try_solid_part(eye, radius);
+  return *solid_;
+}
+
+EyeWalk::SolidPart EyeWalk::try_solid_part(const EyeEnd& eye, double radius) {
   constexpr uint32_t wanted = 8;  // which adds at most a third of what is merged here as noise
   const Holes holes(scene_, eye.surface, radius);
   if (!holes) return {};
@@ -84,7 +90,7 @@ EyeWalk::SolidPart EyeWalk::solid_part(const EyeEnd& eye, double radius) {
 // Vertices lie anywhere in memory: some are asked for before the first of them is read.
 void EyeWalk::merge(const EyeEnd& eye, PhotonIndex::Query& query) {
   const EyeSensor::Disc& disc = this->disc(eye);
-  const float share = float(thin(eye, query)) * solid_.over;
+  const float share = float(thin(eye, query));
   struct Near {
     const PhotonIndex::Photon* photon;
     float d2;
@@ -107,7 +113,7 @@ void EyeWalk::merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon,
   Found c = ups::merge(in_, counts_, eye, light, photon.p, radius);
   if (!c || !nothing_between(scene_, eye.surface, light.wo, photon.p, light.most_error(), radius, work_)) return;
   ++work_.merges;
-  c->value *= share;
+  c->value *= share * solid_part(eye, radius).over;
   const float weight = float(c->weight(in_, 1));
   if (in_.recorder) in_.recorder->found(*c, {1, c->value, weight}, photons_.paths.running_number(photon.place));
   add(*c, c->value, 1, weight, Drop::merge);
@@ -137,7 +143,7 @@ bool EyeWalk::meet_beside(const EyeEnd& eye, const Vec3& offset, double radius, 
     const float cosine = dot(out.surface.ng, own.ng);
     const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
     const bool apart = out.surface.material != own.material &&
-                       (scene_.panes.is_blended(own.instance) || scene_.panes.is_blended(out.surface.instance));
+                       (scene_.panes.is_blended(own.instance) || coverage(scene_, out.surface) < 1);
     if (merge_gate(bsdf) && !apart && cosine >= min_merge_cosine &&
         length2(out.surface.p - own.p) <= float(radius) * float(radius)) {
       out.ratio = 1 / cosine;

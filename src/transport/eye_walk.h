@@ -1,6 +1,7 @@
 // One eye path: from a sensor's point through the scene, every technique at every vertex. Used by the eye pass.
 #pragma once
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "transport/eye_pass.h"
@@ -88,7 +89,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   void look_for_light(const EyeEnd& eye, const Arrival& arrival, float direct_found_from, float image_found_from);
   void connect_one(const EyeEnd& eye, const Arrival& arrival);
   bool ask_photons(const EyeEnd& eye, PhotonIndex::Query& query);
-  void count_disc(const EyeEnd& eye, float area);
+  void count_disc(const EyeEnd& eye, double radius);
   void merge(const EyeEnd& eye, PhotonIndex::Query& query);
   uint32_t thin(const EyeEnd& eye, PhotonIndex::Query& query);
   class Holes;
@@ -96,7 +97,8 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   struct SolidPart {
     float over = 1, share = 1;
   };
-  SolidPart solid_part(const EyeEnd& eye, double radius);
+  const SolidPart& solid_part(const EyeEnd& eye, double radius);  // tried once a vertex, where it is asked for
+  SolidPart try_solid_part(const EyeEnd& eye, double radius);
   bool meet_beside(const EyeEnd& eye, const Vec3& offset, double radius, Arrival& out);
   // share: of how many photons it stands for.
   void merge_photon(const EyeEnd& eye, const PhotonIndex::Photon& photon, float d2, double radius, float share);
@@ -149,7 +151,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   float counted_share_ = 0;                   // of its disc
   bool specular_ = false;   // a camera's path that its method lets see emitters: it was mirrored and refracted alone
   bool scattered_ = false;  // by a continuous lobe
-  SolidPart solid_;         // of the vertex that photons are asked for
+  std::optional<SolidPart> solid_;  // of the vertex that photons are asked for
 };
 
 }  // namespace ups

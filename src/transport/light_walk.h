@@ -215,7 +215,8 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     if (seen.cos_in < min_cosine || !(t > 0) || (response.across && t > met_.distance)) return;
     const Vec3 p = origin_ + direction_ * t;
     const Vec3 offset = p - center;
-    // Across the light octants alone are asked for: axes of equal length that turn as the direction does.
+    // Across the light octants alone are asked for: axes of equal length that turn as the direction does. (About that
+    // one axis they turn once: light from all around it has no side.)
     const Vec3 t_axis = response.across ? cross(Vec3(0.3713f, -0.5291f, 0.7639f), direction_) : meter.frame.t,
                s_axis = response.across ? cross(t_axis, direction_) : meter.frame.s;
     const float x = dot(offset, s_axis), y = dot(offset, t_axis);
