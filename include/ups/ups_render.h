@@ -93,9 +93,10 @@ typedef struct ups_render_desc {
   ups_separation separation;          /* see ups_result_get_source_count */
   uint32_t reserved;                  /* 0 */
   uint64_t flux_paths;                /* light paths, rounded up to a power of two, at most 2^24, that find the absorbed
-                                       * and escaped flux where the method traces none; where it does these cost
-                                       * nothing and this is not read. A part after each iteration, the rest at the
-                                       * end, within elapsed_s and the time limit. 0: none, that flux is not known */
+                                       * and escaped flux where the method traces none, or for caustics alone; where it
+                                       * traces all light these cost nothing and this is not read. A part after each
+                                       * iteration, the rest at the end, within elapsed_s and the time limit. 0: none;
+                                       * that flux is not known then, nor what shading normals lose that lean */
   ups_criterion target_criterion;     /* of target_relative_error and of predictions */
   uint32_t reserved2;                 /* 0 */
   uint64_t memory_limit_bytes;        /* that the committed scene and the render may take together, as

@@ -101,8 +101,8 @@ class Pooled {
 
 // Each technique against the sum of all: P(|t_14| > 4) = 1.3e-3 a comparison, 29 of them: a right engine fails with
 // probability below 4 %; the seeds are fixed. Connections are bounded to 4 % and emitters, which are hit rarely, to 5
-// %: a technique that is missing, twice there or wrongly weighed is off by tens of percent. Their mean is bounded to
-// 0.17 %, so that 1 % of all is found (expect_lx.h; P(|t_7| > 4) = 0.5 %).
+// %, so that alone they find 25 %: a technique that is missing, twice there or wrongly weighed is off by tens of
+// percent. Their mean is bounded to 0.17 %, so that 1 % of all is found (expect_lx.h; P(|t_7| > 4) = 0.5 %).
 void expect_each_to_be_the_picture(uint32_t allowed, const std::function<bool(const ups_technique_info&)>& is_off,
                                    uint32_t count) {
   const Measured m = measure(allowed);
