@@ -1,5 +1,5 @@
-"""Files that another process changes while they are read, of every kind that is read: what is whole, or an error that
-says which file; never a crash, and never half an output.
+"""Files that another process changes while they are read, of every kind that is read: an error that says which file, or
+what can be read, which may be a mixture that a careless writer left; never a crash, and never half an output.
 Usage: test_changing_files.py PATH_TO_UPS [unittest options]"""
 import collections
 import contextlib
