@@ -36,8 +36,9 @@ struct RingProfile {
   double lx = 0, radius2 = 0;  // mean squared radius of the outermost ring, m2
   uint32_t narrowest = 0;
   std::array<float, max_rings> mean{}, variance{};
-  // How light leans to one side at the meter, along its frame: e over lx, of the fit e + f r over the rings of a disc
-  // to the means of light times the direction to where it falls. A slope has none; a step at the meter, 1/pi of it.
+  // How light leans to one side at the meter, along its frame (across the light: along axes that turn with it): e over
+  // lx, of the fit e + f r over the rings of a disc to the means of light times the direction to where it falls. A slope
+  // has none; a step at the meter, 1/pi of it.
   std::array<float, max_rings> lean_s{}, lean_t{};
   static constexpr double lean_noise = 4.87;  // of either, its variance over the disc's
   // Of caustics: length of the photons' mean direction from the meter, where chance makes it so long in 14 of 100 cases at

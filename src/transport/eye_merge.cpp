@@ -142,9 +142,8 @@ bool EyeWalk::meet_beside(const EyeEnd& eye, const Vec3& offset, double radius, 
     out.surface = scene_.raytracer->surface_at(hit);
     const float cosine = dot(out.surface.ng, own.ng);
     const Bsdf bsdf(scene_.materials[out.surface.material], out.surface.uv);
-    const bool apart = out.surface.material != own.material &&
-                       (scene_.panes.is_blended(own.instance) || coverage(scene_, out.surface) < 1);
-    if (merge_gate(bsdf) && !apart && cosine >= min_merge_cosine &&
+    const bool blends = coverage(scene_, out.surface) < 1;
+    if (merge_gate(bsdf) && merges_with(scene_, own, out.surface.material, blends) && cosine >= min_merge_cosine &&
         length2(out.surface.p - own.p) <= float(radius) * float(radius)) {
       out.ratio = 1 / cosine;
       return nothing_between(scene_, own, side, out.surface.p, out.surface.error, radius, work_);

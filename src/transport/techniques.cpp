@@ -302,11 +302,10 @@ std::optional<Splatted> splat(const Iteration& in, size_t index, const LightEnd&
 
 namespace {
 
-// Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane; and of a blended
-// surface, which may lie on another, the same material.
+// Against leaks through thin walls and around edges: same orientation, same side, in the tangent plane.
 bool same_surface(const Snapshot& scene, const SurfacePoint& s, const LightVertex& l, const Vec3& p, float cos_light,
                   double radius) {
-  if ((l.blended || scene.panes.is_blended(s.instance)) && l.material != s.material) return false;
+  if (!merges_with(scene, s, l.material, l.blended)) return false;
   return dot(l.ng, s.ng) >= min_merge_cosine && cos_light * dot(l.wo, l.ng) > 0 && std::abs(cos_light) >= min_cosine &&
          std::abs(dot(s.ng, p - s.p)) <= max_merge_height * radius;
 }

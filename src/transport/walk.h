@@ -69,6 +69,11 @@ inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous() || !bsdf
 // and so flat within the radius.
 inline constexpr float min_merge_cosine = 0.7f, max_merge_height = 0.1f;
 
+// A blended surface may lie on another, whose photons are not its own. blends: the coverage there is below 1.
+inline bool merges_with(const Snapshot& scene, const SurfacePoint& own, uint32_t material, bool blends) {
+  return material == own.material || !(blends || scene.panes.is_blended(own.instance));
+}
+
 // Long walks look up now and then whether they are still wanted.
 inline bool is_stopped(const StopSignal& stop, uint32_t edges) {
   return edges % 64 == 0 && stop.is_set();

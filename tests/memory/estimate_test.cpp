@@ -4,13 +4,11 @@
 // 5 GB.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <string>
 
-#include "failing_memory.h"
 #include "rooms.h"
+#include "sweep.h"
 #ifdef UPS_HAS_GLTF
 #include "ups/ups_gltf.h"
 #endif
@@ -122,9 +120,7 @@ void expect_near(double measured, double estimated, const char* what) {
 
 TEST_P(MemoryEstimate, HoldsThePeak) {
   const Case& c = GetParam();
-  const char* sweep = std::getenv("UPS_MEMORY_SWEEP");
-  const bool all = sweep && std::strcmp(sweep, "all") == 0;
-  if (c.full && !all && !low_effort()) GTEST_SKIP() << "of UPS_MEMORY_SWEEP=all";
+  if (c.full && !sweeps_all() && !low_effort()) GTEST_SKIP() << "of UPS_MEMORY_SWEEP=all";
   Scene first(2);  // what the process makes once, and keeps as long as there is a scene
   add_box(first);
   ASSERT_EQ(ups_scene_commit(first.get()), UPS_OK);

@@ -73,11 +73,13 @@ inline bool try_failing(const Call& call, long first, long count, LastError* las
   return true;
 }
 
-// All allocations, or about `samples` of them.
-inline long stride(long allocations, long samples) {
+inline bool sweeps_all() {
   const char* sweep = std::getenv("UPS_MEMORY_SWEEP");
-  return sweep && std::strcmp(sweep, "all") == 0 ? 1 : std::max(1L, allocations / samples);
+  return sweep && std::strcmp(sweep, "all") == 0;
 }
+
+// All allocations, or about `samples` of them.
+inline long stride(long allocations, long samples) { return sweeps_all() ? 1 : std::max(1L, allocations / samples); }
 
 inline long count_calls(const Call& call, LastError* last_error = &ups_last_error) {
   fail_memory(all_after, 1);
