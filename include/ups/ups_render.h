@@ -96,7 +96,8 @@ typedef struct ups_render_desc {
                                        * and escaped flux where the method traces none, or for caustics alone; where it
                                        * traces all light these cost nothing and this is not read. A part after each
                                        * iteration, the rest at the end, within elapsed_s and the time limit. 0: none;
-                                       * that flux is not known then, nor what shading normals lose that lean */
+                                       * that flux is not known then, and what shading normals lose that lean is told
+                                       * as of light that is even everywhere */
   ups_criterion target_criterion;     /* of target_relative_error and of predictions */
   uint32_t reserved2;                 /* 0 */
   uint64_t memory_limit_bytes;        /* that the committed scene and the render may take together, as

@@ -111,7 +111,7 @@ void RenderJob::add_warnings(RenderResult& r) const {
     for (size_t c = 0; c < r.images.size(); ++c) r.warnings += blur_notice(scene_->camera_ids[c], r.images[c]);
   r.warnings += crowd_notice(sums_->work());
   const double emitted = scene_->emitters.flux_lm();
-  r.warnings += leaning_notice(books(), emitted);
+  r.warnings += leaning_notice(books(), sums_->work(), emitted);
   if (!(emitted > 0)) return;
   r.warnings += length_notice(desc_.max_path_length, books_flux_ ? books() : WorkCounts{}, emitted);
   if (books().light_paths > 0) r.warnings += flux_warning(flux_balance(books(), emitted), emitted);

@@ -19,7 +19,8 @@ std::string crowd_notice(const WorkCounts& work);
 // Where paths end after so many edges. flux: of light paths that do; without light_paths nothing is known of them.
 std::string length_notice(uint32_t longest, const WorkCounts& flux, double emitted_lm);
 
-// What of the light shading normals lose that lean from their faces.
-std::string leaning_notice(const WorkCounts& flux, double emitted_lm);
+// What of the light shading normals lose that lean from their faces: of that of light paths, flux, where there are any;
+// else as eye paths of the render tell it of light that is even everywhere.
+std::string leaning_notice(const WorkCounts& flux, const WorkCounts& render, double emitted_lm);
 
 }  // namespace ups

@@ -73,7 +73,8 @@ void EyeWalk::gather_at_meter(EyeEnd& eye) {
   last_ = meter_receiver(eye.surface.p, eye.surface.ng, response);
   direction_ = eye.surface.shading.to_world(local);
   origin_ = eye.surface.ray_origin(eye.surface.ng);
-  carried_ = start_carried_ = Rgb(response.total());
+  start_importance_ = response.total();
+  carried_ = start_carried_ = Rgb(start_importance_);
   edge_.kind = Edge::continuous;
   edge_.state = eye.state;
   const float cosine = response.kind == UPS_METER_PLANAR ? local.z : eye.cosine(eye.surface, direction_);

@@ -72,8 +72,9 @@ class Subpath {
     if (!met_.is_clear()) return carry(met_.transmittance(scene_, met_.distance));
     return is_finite(carried_) || drop(own_walk);
   }
-  void lose_by_leaning(double lm) {
-    if constexpr (from_emitter) work_.leaning_lm += lm, work_.leaning_lm2 += lm * lm;
+  void lose_by_leaning(double carried) {
+    if constexpr (from_emitter) work_.leaning_lm.lose(carried);
+    else work_.leaning_eye.lose(carried / start_importance_);
   }
   bool absorb() {
     carry(Rgb(0.0f));
@@ -183,6 +184,7 @@ class Subpath {
   Vec3 origin_, direction_;
   Receiver last_;  // the vertex that the current edge leaves; without normal at a camera
   Rgb carried_{1.0f}, start_carried_{1.0f};
+  float start_importance_ = 1;  // an eye path's
   double roulette_ = -1;  // what is left of the path's number; none was drawn yet
   MediaStack media_;  // where the current edge starts
 };

@@ -33,6 +33,14 @@ struct DroppedSample {
   Vec3 p;  // near it; may not be finite either
 };
 
+// Of what is scattered, what shading normals lose that lean from their faces, less what they add; and its squares.
+struct LeaningLoss {
+  double sum = 0, squares = 0;
+
+  void lose(double amount) { sum += amount, squares += amount * amount; }
+  void add(const LeaningLoss& o) { sum += o.sum, squares += o.squares; }
+};
+
 struct WorkCounts {
   uint64_t rays = 0, light_paths = 0, eye_paths = 0, light_vertices = 0, merges = 0, connections = 0;
   // Vertices of eye paths about which were too many photons to look at all of them, and the most that were about one.
@@ -43,8 +51,8 @@ struct WorkCounts {
   std::array<uint64_t, size_t(Drop::count)> dropped{};
   std::vector<DroppedSample> first_dropped;  // one of each Drop: the first, in an order that threads do not change
   FluxBooks flux;
-  // Of what is scattered, that shading normals lose which lean from their faces, less what they add; and its squares.
-  double leaning_lm = 0, leaning_lm2 = 0;
+  LeaningLoss leaning_lm;   // of light paths
+  LeaningLoss leaning_eye;  // of eye paths: shares of the importance that they start with
 
   void drop(Drop where, const PathAddress& path, const Vec3& p) {
     if (dropped[size_t(where)]++ == 0) first_dropped.push_back({where, path, p});
@@ -66,8 +74,8 @@ struct WorkCounts {
       if (dropped[size_t(d.where)] == 0) first_dropped.push_back(d);
     for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
     flux.add(o.flux);
-    leaning_lm += o.leaning_lm;
-    leaning_lm2 += o.leaning_lm2;
+    leaning_lm.add(o.leaning_lm);
+    leaning_eye.add(o.leaning_eye);
   }
 };
 

@@ -41,6 +41,30 @@ TEST(Emission, AreaDirectionsFollowTheCosine) {
       2);
 }
 
+// Light paths start as far above the surface as rounding may have set a point off it: far from the origin, of an emitter
+// much smaller than its coordinates.
+TEST(Emission, AreaPointsKnowHowFarOffTheSurfaceTheyMayBe) {
+  const Frame f = tilted_frame();
+  const auto triangles = rectangle({4000, -2000, 3000}, f.s * 0.5f, f.t * 0.2f);
+  const AreaEmitter emitter(triangles, Rgb(1), false, 0);
+  Random random(3);
+  double farthest = 0;
+  for (int i = 0; i < 10000; ++i) {
+    EmissionSample s;
+    const Vec2 u_position = random.pair();
+    ASSERT_TRUE(emitter.sample_emission(u_position, random.pair(), s));
+    double off = 1e9;  // of the nearer triangle, as its corners are
+    for (const EmitterTriangle& t : triangles) {
+      const Vec3d p0(t.p0), n = normalize(cross(Vec3d(t.p1) - p0, Vec3d(t.p2) - p0));
+      off = std::min(off, std::abs(dot(Vec3d(s.p) - p0, n)));
+    }
+    ASSERT_LE(off, s.error);
+    ASSERT_LT(s.error, 0.05);  // and not so far that light leaks
+    farthest = std::max(farthest, off);
+  }
+  EXPECT_GT(farthest, 1e-4) << "nothing was rounded";
+}
+
 TEST(Emission, PointDirectionsAreUniform) {
   expect_directions(
       PointEmitter({1, 2, 3}, Rgb(1), 0), SphereCells(20, 12), [](const Vec3d&) { return 1 / (4 * pi_d); }, 3);

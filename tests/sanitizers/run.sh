@@ -39,4 +39,4 @@ results=$PWD/build/$preset/results.xml
 rm -f "$results"
 "${in_place[@]}" ctest --preset "$preset" --parallel "$cores" --output-junit "$results" "$@" || true # what failed is judged below
 step "Judge (tests/sanitizers/judge.py)"
-python3 tests/sanitizers/judge.py "build/$preset" build/release
+"${in_place[@]}" python3 tests/sanitizers/judge.py "build/$preset" build/release

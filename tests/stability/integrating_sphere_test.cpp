@@ -45,7 +45,7 @@ struct Sphere {
     const bool by_eye = subset & both_ends, quiet = by_eye && !(subset & UPS_TECHNIQUE_CONNECT);
     const uint32_t merging = subset & UPS_TECHNIQUE_MERGE ? 1u << 11 : 1u << 7;  // so that its weights count
     RenderOptions options{.iterations = quiet ? 8u : by_eye ? 12u : 16u, .merge_radius_m = 0.01,
-                          .light_paths = by_eye ? merging : landing, .techniques = subset};
+                          .light_paths = low_effort() ? 1u << 7 : by_eye ? merging : landing, .techniques = subset};
     const std::string what = "subset " + std::to_string(subset);
     const Result result = render_until_quiet(scene, options, 16u << 8, [&](const Result& r) {
       return r.statistics(meters).mean_standard_error_lx / (largest_noise * balance);

@@ -161,6 +161,7 @@ TEST(Taught, NothingGlowsBelowAFloorWhoseNormalsLean) {
 double stated_loss(const Result& result) {
   const std::string text = result.text(UPS_TEXT_WARNINGS), words = "lean from their faces lose ";
   const size_t at = text.find(words);
+  EXPECT_NE(at, text.npos) << text;
   return at == text.npos ? 0 : std::atof(text.c_str() + at + words.size()) / 100;
 }
 
@@ -178,14 +179,18 @@ TEST(Taught, TerminatorLossesInWhiteRoomsAreStated) {
     scene.add(smooth_sphere({2, 1.5, 1.25}, 0.8, subdivisions), emitter(luminance, rho));
     Points walls = points_inside(box({0, 0, 0}, {4, 3, 2.5}), 64, 1);
     const Sensor meters = scene.add_meters(walls.positions, walls.normals);
-    const auto s = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 256}).statistics(meters);
+    const Result by_eye = scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 256});
+    const auto s = by_eye.statistics(meters);
     EXPECT_GE(s.mean_standard_error_lx, 0);
     EXPECT_LE(s.mean_standard_error_lx, 2e-4 * expected);
     const double missing = 1 - s.mean_lx / expected;
     const double stated =
         stated_loss(scene.render({.method = UPS_METHOD_UPS, .iterations = 64, .light_paths = 1u << 14}));
     EXPECT_NEAR(stated, missing, 0.1 * missing + 4e-4) << subdivisions;
-    measured("%d faces: %.2f %% missing, %.2f %% stated", 20 << (2 * subdivisions), 100 * missing, 100 * stated);
+    const double by_eye_stated = stated_loss(by_eye);
+    EXPECT_NEAR(by_eye_stated, missing, 0.1 * missing + 4e-4) << subdivisions;
+    measured("%d faces: %.2f %% missing, %.2f %% stated, by path tracing %.2f %%", 20 << (2 * subdivisions),
+             100 * missing, 100 * stated, 100 * by_eye_stated);
     EXPECT_GT(missing, 0.001) << "nothing to state";
     EXPECT_LT(missing, before) << "finer meshes lose less";
     before = missing;
@@ -194,8 +199,9 @@ TEST(Taught, TerminatorLossesInWhiteRoomsAreStated) {
   flat.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), emitter(luminance, rho));
   flat.add(icosphere({2, 1.5, 1.25}, 0.8, 0), emitter(luminance, rho));
   flat.add_meters({P3{1, 1, 0}}, {0, 0, 1});
-  EXPECT_EQ(flat.render({.method = UPS_METHOD_UPS, .iterations = 16}).text(UPS_TEXT_WARNINGS).find("lean from"),
-            std::string::npos);
+  for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING})
+    EXPECT_EQ(flat.render({.method = method, .iterations = 16}).text(UPS_TEXT_WARNINGS).find("lean from"),
+              std::string::npos);
 }
 
 }  // namespace

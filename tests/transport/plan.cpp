@@ -48,6 +48,22 @@ TEST(Plan, SaysWhichRadiiStandAtTheLeastAndSinceWhen) {
   }
 }
 
+// What no path has found of caustics is left open but where images of lamps in flat mirrors are all that there is of them.
+TEST(Plan, SeeksCausticsThatImagesDoNotBring) {
+  Snapshot scene;
+  scene.effects.sharp_caster = scene.effects.images_suffice = true;
+  TransportSettings s{.method = *method_of(UPS_METHOD_UPS)};
+  s.techniques = UPS_TECHNIQUE_LIGHT_SAMPLE | UPS_TECHNIQUE_MIRROR_SAMPLE;
+  EXPECT_FALSE(make_plan(scene, s).seeks_caustics);
+  s.techniques = UPS_TECHNIQUE_LIGHT_SAMPLE;  // nobody draws them
+  EXPECT_TRUE(make_plan(scene, s).seeks_caustics);
+  s.techniques |= UPS_TECHNIQUE_MIRROR_SAMPLE;
+  scene.effects.images_suffice = false;
+  EXPECT_TRUE(make_plan(scene, s).seeks_caustics);
+  s.max_path_length = 1;  // straight from emitters alone
+  EXPECT_FALSE(make_plan(scene, s).seeks_caustics);
+}
+
 TEST(Plan, EveryPixelIsVisitedOncePerPass) {
   for (uint32_t subsets : {1u, 2u, 3u, 4u, 5u, 10u, 17u}) {
     Plan plan;
