@@ -91,7 +91,7 @@ std::string length_notice(uint32_t longest, const WorkCounts& flux, double emitt
 }
 
 // What light paths lose is missing from what all surfaces absorb, so in the mean from their illuminances. What eye paths
-// lose of their importance is missing from what they find, by as much as light is as strong at one place as at another.
+// lose of their importance is as much of what they find where radiance is the same everywhere.
 std::string leaning_notice(const WorkCounts& flux, const WorkCounts& render, double emitted_lm) {
   constexpr double least = 1e-3, errors = 3;
   const bool booked = flux.light_paths > 0;
@@ -99,10 +99,10 @@ std::string leaning_notice(const WorkCounts& flux, const WorkCounts& render, dou
   const double all = booked ? double(flux.light_paths) * emitted_lm : double(render.eye_paths);
   if (!(all > 0) || !(emitted_lm > 0)) return {};
   const double share = lost.sum / all;
-  if (std::abs(share) < least || lost.sum * lost.sum < errors * errors * lost.squares) return {};
+  if (!(std::abs(share) >= least) || lost.sum * lost.sum < errors * errors * lost.squares) return {};
   return std::string("shading normals that lean from their faces ") + (share > 0 ? "lose " : "add ") +
-         short_number(100 * std::abs(share), 2) + (booked ? " % of the light" : " % of light that is even everywhere") +
-         ", by which illuminances are too " + (share > 0 ? "low" : "high") +
+         short_number(100 * std::abs(share), 2) + " % of the light" + (booked ? ", by which illuminances are too " :
+         ", were it even everywhere, by about which meters and pixels read too ") + (share > 0 ? "low" : "high") +
          " in the mean: finer meshes and flatter normal maps err less\n";
 }
 

@@ -72,7 +72,9 @@ class Subpath {
     if (!met_.is_clear()) return carry(met_.transmittance(scene_, met_.distance));
     return is_finite(carried_) || drop(own_walk);
   }
-  void lose_by_leaning(double carried) {
+  // At a vertex of so many edges: nothing where no light goes on from it.
+  void lose_by_leaning(uint32_t edges, double carried) {
+    if (in_.is_too_long(edges + 1)) return;
     if constexpr (from_emitter) work_.leaning_lm.lose(carried);
     else work_.leaning_eye.lose(carried / start_importance_);
   }
@@ -113,7 +115,7 @@ class Subpath {
     v.caster = v.bsdf->is_caster();
     if (consistent_side(v.surface, v.wo, v.local_wo)) return true;
     if (!is_finite(v.local_wo)) return drop(own_walk);
-    lose_by_leaning(luminance(carried_ * v.bsdf->textured().reflectance));
+    lose_by_leaning(edges, luminance(carried_ * base_colour(scene_.materials[v.surface.material], v.surface.uv)));
     return false;
   }
 
@@ -129,7 +131,7 @@ class Subpath {
     const Vec3 wi = v.surface.shading.to_world(s.wi);
     if (is_finite(s.weight) && !consistent_side(v.surface, wi, s.wi)) {
       if (!is_finite(wi)) return drop(own_walk);
-      lose_by_leaning(luminance(carried_ * s.weight));
+      lose_by_leaning(v.edges, luminance(carried_ * s.weight));
       return absorb();
     }
     float correction = 1;
@@ -137,8 +139,9 @@ class Subpath {
       correction = s.delta ? shading_correction(v.surface, v.wo, wi) : light_correction(v.surface, v.wo, wi);
     else if (!s.delta)
       correction = terminator(v.surface, wi);
-    if (correction != 1) lose_by_leaning(luminance(carried_ * s.weight) * (1 - double(correction)));
+    const double whole = luminance(carried_ * s.weight);
     if (!carry(s.weight * correction)) return false;
+    if (correction != 1) lose_by_leaning(v.edges, whole * (1 - double(correction)));
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     // Of a dark surface that a sensor sees the light comes by dark paths alone: what it leaves is the start.
     if (!from_emitter && v.edges == 1) start_carried_ = carried_;

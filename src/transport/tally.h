@@ -52,7 +52,8 @@ struct WorkCounts {
   std::vector<DroppedSample> first_dropped;  // one of each Drop: the first, in an order that threads do not change
   FluxBooks flux;
   LeaningLoss leaning_lm;   // of light paths
-  LeaningLoss leaning_eye;  // of eye paths: shares of the importance that they start with
+  // Of eye paths, as shares of the importance that they start with; within glass of index n as 1 / n^2 of it.
+  LeaningLoss leaning_eye;
 
   void drop(Drop where, const PathAddress& path, const Vec3& p) {
     if (dropped[size_t(where)]++ == 0) first_dropped.push_back({where, path, p});

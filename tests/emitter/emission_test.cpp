@@ -41,8 +41,8 @@ TEST(Emission, AreaDirectionsFollowTheCosine) {
       2);
 }
 
-// Light paths start as far above the surface as rounding may have set a point off it: far from the origin, of an emitter
-// much smaller than its coordinates.
+// Light paths start as far above the surface as rounding may have set a point off it: far from the origin, of an
+// emitter much smaller than its coordinates.
 TEST(Emission, AreaPointsKnowHowFarOffTheSurfaceTheyMayBe) {
   const Frame f = tilted_frame();
   const auto triangles = rectangle({4000, -2000, 3000}, f.s * 0.5f, f.t * 0.2f);

@@ -53,7 +53,7 @@ TEST_P(MemoryOfProfiles, AreReadAndWritten) {
   const long calls = count_calls(call), before = allocations_held();
   EXPECT_GT(calls, 20);
   for (const long count : {1L, all_after})
-    for (long k = 1; try_failing(call, k, count); k += stride(calls, 100)) {
+    for (long k = 1; try_failing(call, k, count); k += stride(calls, low_effort() ? 25 : 100)) {
       ASSERT_EQ(call(), UPS_OK) << "after the failure of allocation " << k << ": " << ups_last_error();
       ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
     }

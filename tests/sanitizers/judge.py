@@ -7,6 +7,7 @@ finding. That, too, counts as found where the test passes in RELEASE, the same e
 effort (UPS_TEST_EFFORT): it is no noise of few iterations then. A test that the sanitizer
 ended as it found no address space for itself is run again. Exit code 1 where something was found."""
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -17,7 +18,7 @@ REPORT = re.compile(r"ERROR: \w+Sanitizer.*|WARNING: \w+Sanitizer.*|.*: runtime 
 NOISE = "readings too noisy"
 # Hundreds of terabytes, now and then, in processes that load the library late: most likely its run time takes what lies
 # before a thread's variables, where these start 16 bytes into a page, for the header that glibc 2.19 wrote there.
-NO_ROOM = "ThreadSanitizer failed to allocate"
+NO_ROOM = re.compile(r"ThreadSanitizer failed to allocate 0x[0-9a-f]{12}")
 MOST_RUNS = 5
 NAMES_AT_ONCE = 100  # a command's arguments have a length
 
@@ -50,6 +51,7 @@ def run(folder, names, file):
     cases = {}
     for at in range(0, len(names), NAMES_AT_ONCE):
         some = names[at:at + NAMES_AT_ONCE]
+        pathlib.Path(results).unlink(missing_ok=True)
         pattern = "^(" + "|".join(map(re.escape, some)) + ")( |$)"
         subprocess.run(["ctest", "--preset", preset, "--parallel", str(os.cpu_count()), "--output-junit", results, "-R",
                         pattern], cwd=root, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
@@ -62,7 +64,9 @@ def run(folder, names, file):
 
 
 def names_without_room(cases):
-    return [name for name, c in cases.items() if NO_ROOM in (c.findtext("system-out") or "")]
+    """Of those of which nothing else was reported."""
+    reports = {name: [m[0] for m in REPORT.finditer(c.findtext("system-out") or "")] for name, c in cases.items()}
+    return [name for name, found in reports.items() if found and all(NO_ROOM.search(r) for r in found)]
 
 
 def main():

@@ -43,7 +43,7 @@ struct Sphere {
   void expect(const Sensor& meters, uint32_t subset) {
     const uint32_t landing = rho > 0.94 ? 1u << 11 : 1u << 12;
     const bool by_eye = subset & both_ends, quiet = by_eye && !(subset & UPS_TECHNIQUE_CONNECT);
-    const uint32_t merging = subset & UPS_TECHNIQUE_MERGE ? 1u << 11 : 1u << 7;  // so that its weights count
+    const uint32_t merging = subset & UPS_TECHNIQUE_MERGE ? 1u << 11 : 1u << 7;  // so that its weights count, if judged
     RenderOptions options{.iterations = quiet ? 8u : by_eye ? 12u : 16u, .merge_radius_m = 0.01,
                           .light_paths = low_effort() ? 1u << 7 : by_eye ? merging : landing, .techniques = subset};
     const std::string what = "subset " + std::to_string(subset);

@@ -48,7 +48,7 @@ TEST(Plan, SaysWhichRadiiStandAtTheLeastAndSinceWhen) {
   }
 }
 
-// What no path has found of caustics is left open but where images of lamps in flat mirrors are all that there is of them.
+// What no path has found of caustics is left open but where images of lamps in flat mirrors are all there is of them.
 TEST(Plan, SeeksCausticsThatImagesDoNotBring) {
   Snapshot scene;
   scene.effects.sharp_caster = scene.effects.images_suffice = true;
@@ -61,6 +61,9 @@ TEST(Plan, SeeksCausticsThatImagesDoNotBring) {
   scene.effects.images_suffice = false;
   EXPECT_TRUE(make_plan(scene, s).seeks_caustics);
   s.max_path_length = 1;  // straight from emitters alone
+  EXPECT_FALSE(make_plan(scene, s).seeks_caustics);
+  s.max_path_length = 0;
+  scene.effects.sharp_caster = false;
   EXPECT_FALSE(make_plan(scene, s).seeks_caustics);
 }
 
