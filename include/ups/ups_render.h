@@ -137,7 +137,9 @@ typedef struct ups_result_info {
   int32_t threads;
   double flux_balance_standard_error_lm; /* of emitted - absorbed - escaped, which is 0 but for chance, rounding and
                                           * what max_path_length cuts off; < 0: not known. Where more is missing than by
-                                          * chance, UPS_TEXT_WARNINGS says so: by mistake once in 10,000 renders */
+                                          * chance, UPS_TEXT_WARNINGS says so: by mistake once in 10,000 renders. What
+                                          * shading normals or grazing angles keep from going on is absorbed; whether a
+                                          * material returns more than it gets is not told */
   double maintenance_factor;              /* of the scene: that its luminaires' flux is multiplied by */
   uint64_t revision;                      /* of the scene that was rendered, as in its ups_scene_info then */
 } ups_result_info;

@@ -3,6 +3,7 @@
 // ctest's time limit. The environment variable UPS_MEMORY_SWEEP=all tries every allocation, in minutes; without it they
 // are sampled.
 #include "sweep.h"
+#include "ups/ups_replay.h"
 #ifdef UPS_HAS_EXR
 #include "ups/ups_exr.h"
 #endif
@@ -70,9 +71,7 @@ TEST_P(Memory, Commit) {
     }
 }
 
-void sweep_renders(int threads, const ups_render_desc& desc, long samples, int meter_count = 40) {
-  begin_watch();
-  Room room(threads, meter_count);
+void sweep_renders(Room room, const ups_render_desc& desc, long samples) {
   ASSERT_EQ(ups_scene_commit(room.scene.get()), UPS_OK) << ups_last_error();
   std::vector<float> found;
   bool wanted = true;  // of an unhindered render alone: the test's own memory fails, too
@@ -103,8 +102,68 @@ void sweep_renders(int threads, const ups_render_desc& desc, long samples, int m
     }
 }
 
-TEST_P(Memory, Render) { sweep_renders(GetParam(), short_render(0.1f), 60); }
-TEST_P(Memory, RenderThatFindsItsRadius) { sweep_renders(GetParam(), short_render(0), 5); }
+Room watched_room(int threads, int meter_count = 40) {
+  begin_watch();
+  return Room(threads, meter_count);
+}
+
+TEST_P(Memory, Render) { sweep_renders(watched_room(GetParam()), short_render(0.1f), 60); }
+TEST_P(Memory, RenderThatFindsItsRadius) { sweep_renders(watched_room(GetParam()), short_render(0), 5); }
+// By the method and the techniques that are chosen, with an observer besides; of a fixture by a goniometer.
+TEST_P(Memory, RenderAsIsChosen) {
+  Room room = watched_room(GetParam(), 5);
+  room.scene.add_observer({0.5, 3.5, 1.2}, {1, -1, 0});
+  auto d = short_render(0);
+  d.method = UPS_METHOD_AUTO;
+  sweep_renders(std::move(room), d, 4);
+}
+TEST_P(Memory, RenderOfAGoniometer) {
+  begin_watch();
+  Scene scene(GetParam());
+  scene.add(box({-0.2, -0.2, 0}, {0.2, 0.2, 0.3}), matte(0.5));
+  scene.add_point_light({0, 0, -0.1}, 100);
+  scene.add_goniometer(8, 19);
+  ASSERT_EQ(ups_scene_commit(scene.get()), UPS_OK) << ups_last_error();
+  auto d = make_desc<ups_render_desc>(ups_render_desc_init);
+  d.iteration_count = 2;
+  d.light_paths_per_iteration = 256;
+  const Call render = [&] {
+    ups_result* result = nullptr;
+    const ups_status status = ups_render(scene.get(), &d, &result);
+    ups_result_destroy(result);
+    return status;
+  };
+  ASSERT_EQ(render(), UPS_OK) << ups_last_error();
+  const long calls = count_calls(render), before = allocations_held();
+  for (const long count : {1L, all_after})
+    for (long k = 1; try_failing(render, k, count); k += stride(calls, 40))
+      ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
+}
+TEST_P(Memory, Replay) {
+  Room room = watched_room(GetParam(), 5);
+  ASSERT_EQ(ups_scene_commit(room.scene.get()), UPS_OK) << ups_last_error();
+  const auto d = short_render(0.1f);
+  ups_result* result = nullptr;
+  ASSERT_EQ(ups_render(room.scene.get(), &d, &result), UPS_OK) << ups_last_error();
+  ups_sample samples[64];
+  size_t count = 0;
+  ASSERT_EQ(ups_result_read_largest_samples(result, room.camera.id, samples, 64, &count), UPS_OK) << ups_last_error();
+  ASSERT_GT(count, 0u);
+  ups_result_destroy(result);
+  const Call replay = [&] {
+    ups_path* path = nullptr;
+    ups_status status = ups_replay(room.scene.get(), &d, samples, &path);
+    size_t needed = 0;
+    if (status == UPS_OK) status = ups_path_get_text(path, nullptr, 0, &needed);
+    ups_path_destroy(path);
+    return status;
+  };
+  ASSERT_EQ(replay(), UPS_OK) << ups_last_error();
+  const long calls = count_calls(replay), before = allocations_held();
+  for (const long each : {1L, all_after})
+    for (long k = 1; try_failing(replay, k, each); k += stride(calls, 60))
+      ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
+}
 // With looks at the error, and predictions from them; within a limit of memory, which counts what light paths take.
 TEST_P(Memory, RenderOfSourcesThatForetells) {
   auto d = short_render(0.1f);
@@ -113,7 +172,7 @@ TEST_P(Memory, RenderOfSourcesThatForetells) {
   d.light_paths_per_iteration = 64;
   d.separation = UPS_SEPARATE_LUMINAIRES;
   d.memory_limit_bytes = 100000000;
-  sweep_renders(GetParam(), d, 20, 5);
+  sweep_renders(watched_room(GetParam(), 5), d, 20);
 }
 // Whatever has no memory, what was rendered before can be read, also where the job failed: a look at the error that
 // finds none is left out. Of meters alone, whose sums are all made before the first iteration.

@@ -4,13 +4,18 @@
 #include <vector>
 
 #include "slow_weights.h"
+#include "transport/light_vertex.h"
 #include "transport/weights.h"
 
 namespace ups::test {
 
+// What connections and merges know of a light path's vertex: its state, or that as it is stored until then.
+enum class LightStates { exact, stored };
+
 class FastWeights {
  public:
-  FastWeights(const Path& path, const mis::Counts& n, const mis::Gates& gates) : p_(path), n_(n), gates_(gates) {
+  FastWeights(const Path& path, const mis::Counts& n, const mis::Gates& gates, LightStates states = LightStates::exact)
+      : p_(path), n_(n), gates_(gates), states_(states) {
     walk_from_emitter();
     walk_from_sensor();
   }
@@ -88,8 +93,14 @@ class FastWeights {
     return p_.pass[0] * mis::others_of_light_sample(from_emitter, n_, p_.hittable() ? pb(0) : 0, p_.nee_a,
                                                     p_.emission_a, pf(0));
   }
+  mis::LightState joined(int a) const {
+    if (states_ == LightStates::exact) return light_[a];
+    LightVertex v;
+    v.set_state(light_[a]);
+    return v.state();
+  }
   mis::Classes connect(int s) const {
-    return p_.pass[s - 1] * mis::others_of_connect(light_[s - 1], from_light(s - 1), eye_[s], from_eye(s), n_,
+    return p_.pass[s - 1] * mis::others_of_connect(joined(s - 1), from_light(s - 1), eye_[s], from_eye(s), n_,
                                                    pb(s - 1), pf(s - 1));
   }
   mis::Classes sensor_connect() const {
@@ -97,12 +108,13 @@ class FastWeights {
     return p_.pass[p_.k - 1] * mis::others_of_splat(light_[p_.k - 1], from_light(p_.k - 1), n_, pb(p_.k - 1));
   }
   mis::Classes merge(int m) const {
-    return mis::others_of_merge(light_[m], p_.pdf_to_emitter[m], eye_[m], from_eye(m), n_, gates_);
+    return mis::others_of_merge(joined(m), p_.pdf_to_emitter[m], eye_[m], from_eye(m), n_, gates_);
   }
 
   const Path& p_;
   const mis::Counts& n_;
   const mis::Gates& gates_;
+  const LightStates states_;
   std::vector<mis::LightState> light_;  // [a]: at x_a
   std::vector<mis::EyeState> eye_;      // [a]: at x_a
   double eta_sensor_ = 0;

@@ -8,6 +8,7 @@
 
 #include "../support/snapshot_room.h"
 #include "emitter/point.h"
+#include "render/dropped_text.h"
 #include "render/flux_balance.h"
 #include "render/job.h"
 
@@ -110,6 +111,25 @@ TEST(FluxBalance, TellsPathsThatAreDroppedAndWhere) {
   EXPECT_NE(one->dropped.find("the first in camera 1, pixel (0, 0) of iteration 0, near ("), std::string::npos)
       << one->dropped;
   for (const int threads : {2, 3}) EXPECT_EQ(render(poisoned(), UPS_METHOD_UPS, threads)->dropped, one->dropped);
+}
+
+// Each by its name, with the first of two alone.
+TEST(FluxBalance, TellsEachKindOfDroppedSampleWithItsPlace) {
+  ThreadPool pool(1);
+  TransportSettings settings{.method = *method_of(UPS_METHOD_UPS)};
+  const StopSignal stop;
+  const Integrator integrator(test::room(UPS_MATERIAL_MATTE), settings, pool, stop);
+  for (size_t k = 0; k < size_t(Drop::count); ++k) {
+    WorkCounts w;
+    w.drop(Drop(k), {Stream::light, 3, uint32_t(k)}, Vec3(0.5f, nan, 0));
+    w.drop(Drop(k), {Stream::light, 4, 0}, Vec3());
+    EXPECT_EQ(dropped_text(integrator, w),
+              std::string(drop_names[k]) + ": 2 samples were not finite, the first in light path " + std::to_string(k) +
+                  " of iteration 3, at no finite point\n");
+    w = {};
+    w.drop(Drop(k), {Stream::light, 3, 1}, Vec3(-integrator.scene().origin));
+    EXPECT_NE(dropped_text(integrator, w).find(", near (0, 0, 0) m\n"), std::string::npos) << dropped_text(integrator, w);
+  }
 }
 
 // ---- books alone ----

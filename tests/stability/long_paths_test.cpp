@@ -8,8 +8,13 @@ namespace ups::test {
 namespace {
 
 // Every weight against its definition, and their sum against 1, for 1e5 paths at each scale: a path whose weights
-// vanish fails. Every second one with all techniques, so that few have none.
-TEST(Hazard01, WeightsOfLongSharpPathsSumToOne) {
+// vanish fails. Every second one with all techniques, so that few have none. With what vertices of light paths keep of
+// their states until they are connected or merged, as without.
+class Hazard01 : public testing::TestWithParam<LightStates> {};
+INSTANTIATE_TEST_SUITE_P(LightStates, Hazard01, testing::Values(LightStates::exact, LightStates::stored),
+                         [](const auto& i) { return i.param == LightStates::exact ? "exact" : "stored"; });
+
+TEST_P(Hazard01, WeightsOfLongSharpPathsSumToOne) {
   const PathRanges range{.k_min = 9,
                          .k_max = 16,
                          .distance_min = 1e-3,
@@ -27,7 +32,7 @@ TEST(Hazard01, WeightsOfLongSharpPathsSumToOne) {
       const Path path = scaled(random_path(random, range), scale);
       const mis::Counts n = random_counts(random, path, subset, scale);
       const mis::Gates gates{random.chance(0.5), random.chance(0.5)};
-      ASSERT_NO_FATAL_FAILURE(compare(path, n, gates, subset, worst));
+      ASSERT_NO_FATAL_FAILURE(compare(path, n, gates, subset, worst, GetParam()));
     }
     report(worst);
     measured("lengths times %g: %ld paths, largest error of a weight %.1e, of a sum %.1e", scale, worst.paths, worst.weight,

@@ -45,8 +45,18 @@ IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques, uint32_
   const WorkCounts& w = tally.work;
   EXPECT_TRUE(std::isfinite(w.flux.absorbed)) << w.flux.absorbed;
   EXPECT_TRUE(std::isfinite(w.flux.escaped)) << w.flux.escaped;
+  EXPECT_TRUE(std::isfinite(w.leaning_lm.sum) && std::isfinite(w.leaning_eye.sum));
   for (const auto& set : tally.meters)
-    for (const MeterTally& m : set) EXPECT_TRUE(std::isfinite(m.value) && std::isfinite(m.bias));
+    for (const MeterTally& m : set)
+      for (const double part : {m.value, m.direct, m.bias, m.exact, m.exact_mirrored, double(m.rounding),
+                                double(m.paths[whole_light].largest)})
+        EXPECT_TRUE(std::isfinite(part)) << part;
+  for (const auto& set : tally.landings)
+    for (const MeterLanding& l : set) EXPECT_TRUE(std::isfinite(l.lm)) << l.lm;
+  for (const auto& image : tally.pixel_merges)
+    for (const PixelMerges& m : image)
+      for (const float part : {m.bias, m.disc_m2, m.caustics, m.caustics_met, m.caustic_light})
+        EXPECT_TRUE(std::isfinite(part)) << part;
   for (const auto& image : tally.pixels)
     for (const Rgb& pixel : image) EXPECT_TRUE(is_finite(pixel));
   for (const auto& image : tally.splats)
