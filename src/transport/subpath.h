@@ -139,9 +139,9 @@ class Subpath {
       correction = s.delta ? shading_correction(v.surface, v.wo, wi) : light_correction(v.surface, v.wo, wi);
     else if (!s.delta)
       correction = terminator(v.surface, wi);
-    const double whole = luminance(carried_ * s.weight);
+    const Rgb before = carried_;
     if (!carry(s.weight * correction)) return false;
-    if (correction != 1) lose_by_leaning(v.edges, whole * (1 - double(correction)));
+    if (correction != 1) lose_by_leaning(v.edges, luminance(before * s.weight) * (1 - double(correction)));
     const bool lossless = s.delta && max_component(s.weight) > 0.9f;
     // Of a dark surface that a sensor sees the light comes by dark paths alone: what it leaves is the start.
     if (!from_emitter && v.edges == 1) start_carried_ = carried_;

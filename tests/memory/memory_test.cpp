@@ -61,14 +61,7 @@ TEST_P(Memory, Commit) {
     const ups_status status = ups_scene_set_maintenance_factor(room.scene.get(), factor);
     return status == UPS_OK ? ups_scene_commit(room.scene.get()) : status;
   };
-  ASSERT_EQ(commit(), UPS_OK) << ups_last_error();  // tables that the process makes once
-  const long calls = count_calls(commit), before = allocations_held();
-  EXPECT_GT(calls, 100);
-  for (const long count : {1L, all_after})
-    for (long k = 1; try_failing(commit, k, count); k += stride(calls, 200)) {
-      ASSERT_EQ(commit(), UPS_OK) << "after the failure of allocation " << k << ": " << ups_last_error();
-      ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
-    }
+  expect_nothing_lost(commit, 200, 100);
 }
 
 void sweep_renders(Room room, const ups_render_desc& desc, long samples) {
@@ -133,11 +126,7 @@ TEST_P(Memory, RenderOfAGoniometer) {
     ups_result_destroy(result);
     return status;
   };
-  ASSERT_EQ(render(), UPS_OK) << ups_last_error();
-  const long calls = count_calls(render), before = allocations_held();
-  for (const long count : {1L, all_after})
-    for (long k = 1; try_failing(render, k, count); k += stride(calls, 40))
-      ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
+  expect_nothing_lost(render, 40);
 }
 TEST_P(Memory, Replay) {
   Room room = watched_room(GetParam(), 5);
@@ -158,11 +147,7 @@ TEST_P(Memory, Replay) {
     ups_path_destroy(path);
     return status;
   };
-  ASSERT_EQ(replay(), UPS_OK) << ups_last_error();
-  const long calls = count_calls(replay), before = allocations_held();
-  for (const long each : {1L, all_after})
-    for (long k = 1; try_failing(replay, k, each); k += stride(calls, 60))
-      ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
+  expect_nothing_lost(replay, 60);
 }
 // With looks at the error, and predictions from them; within a limit of memory, which counts what light paths take.
 TEST_P(Memory, RenderOfSourcesThatForetells) {
@@ -229,13 +214,7 @@ TEST_P(Memory, Estimate) {
     auto e = make_desc<ups_memory_estimate>([](ups_memory_estimate* out, uint32_t size) { out->struct_size = size; });
     return ups_scene_estimate_memory(room.scene.get(), &desc, &e);
   };
-  ASSERT_EQ(estimate(), UPS_OK) << ups_last_error();
-  const long calls = count_calls(estimate), before = allocations_held();
-  for (const long count : {1L, all_after})
-    for (long k = 1; try_failing(estimate, k, count); k += stride(calls, 60)) {
-      ASSERT_EQ(estimate(), UPS_OK) << "after the failure of allocation " << k << ": " << ups_last_error();
-      ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
-    }
+  expect_nothing_lost(estimate, 60);
 }
 
 TEST_P(Memory, JobThatIsCancelled) {
@@ -257,14 +236,7 @@ TEST_P(Memory, JobThatIsCancelled) {
     ups_job_destroy(job);
     return status == UPS_CANCELLED ? UPS_OK : status;
   };
-  ASSERT_EQ(cancelled(), UPS_OK) << ups_last_error();
-  const long calls = count_calls(cancelled), before = allocations_held();
-  // How many there are is up to the moment: to the end of that one.
-  for (const long count : {1L, all_after})
-    for (long k = 1; try_failing(cancelled, k, count); k += stride(calls, 10)) {
-      ASSERT_EQ(cancelled(), UPS_OK) << "after the failure of allocation " << k << ": " << ups_last_error();
-      ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
-    }
+  expect_nothing_lost(cancelled, 10);  // how many allocations there are is up to the moment
 }
 
 TEST_P(Memory, Context) {

@@ -49,14 +49,7 @@ TEST_P(MemoryOfProfiles, AreReadAndWritten) {
   const Call call = [&] {
     return read_and_write(context, bytes, is_ies ? UPS_PROFILE_IES_LM63 : UPS_PROFILE_EULUMDAT);
   };
-  ASSERT_EQ(call(), UPS_OK) << ups_last_error();  // tables that the process makes once
-  const long calls = count_calls(call), before = allocations_held();
-  EXPECT_GT(calls, 20);
-  for (const long count : {1L, all_after})
-    for (long k = 1; try_failing(call, k, count); k += stride(calls, low_effort() ? 25 : 100)) {
-      ASSERT_EQ(call(), UPS_OK) << "after the failure of allocation " << k << ": " << ups_last_error();
-      ASSERT_EQ(allocations_held(), before) << "after the failure of allocation " << k;
-    }
+  expect_nothing_lost(call, low_effort() ? 25 : 100, 20);
   ups_context_destroy(context);
 }
 

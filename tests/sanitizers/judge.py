@@ -4,8 +4,8 @@ results.xml (by ctest).
 
 A test that failed counts as found where a sanitizer, a trap or a signal ended it, and wherever it is not GoogleTest's own
 finding. That, too, counts as found where the test passes in RELEASE, the same engine without sanitizers, with the same
-effort (UPS_TEST_EFFORT): it is no noise of few iterations then. A test that the sanitizer
-ended as it found no address space for itself is run again. Exit code 1 where something was found."""
+effort (UPS_TEST_EFFORT): it is no noise of few iterations then. A test that the sanitizer ended as it found no address
+space for itself is run again. Exit code 1 where something was found."""
 import os
 import pathlib
 import re
