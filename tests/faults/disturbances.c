@@ -1,5 +1,5 @@
 /* Preloaded into the program. UPS_DISTURB=clock: the time of day runs backwards, a second with each look at it; steady
- * time does not. UPS_DISTURB=ticks: 1000 signals a second whose handler interrupts system calls (SIGALRM, SIGPROF).
+ * time does not. UPS_DISTURB=ticks: 2000 signals a second whose handler interrupts system calls (SIGALRM, SIGPROF).
  * UPS_DISTURB=full: after UPS_DISTURB_BYTES bytes of files the disk is full. UPS_DISTURB=fsync, close or rename: it is,
  * and says so no sooner than in that call. */
 #define _GNU_SOURCE

@@ -69,7 +69,7 @@ class MemoryOfExtras : public testing::Test {
     ASSERT_EQ(call(), UPS_OK) << last_error();  // tables that the process makes once
     ASSERT_EQ(call(), UPS_OK) << last_error();
     const std::string right = path.empty() ? std::string() : content(path);
-    const long calls = count_calls(call, last_error), before = allocations_held();
+    const long calls = count_calls(call, last_error), before = allocations_held(), bytes = bytes_allocated();
     EXPECT_GT(calls, 3);
     for (const long count : {1L, all_after})
       for (long k = 1; try_failing(call, k, count, last_error); k += stride(calls, samples)) {
@@ -79,6 +79,7 @@ class MemoryOfExtras : public testing::Test {
         ASSERT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1) << "allocation " << k;
       }
     EXPECT_EQ(call(), UPS_OK) << last_error();
+    expect_as_much(bytes);
   }
 
   // The status of `call` in a child that may have `more` bytes; -1000: it did not return.

@@ -80,7 +80,7 @@ void sweep_renders(Room room, const ups_render_desc& desc, long samples) {
   ASSERT_EQ(render(), UPS_OK) << ups_last_error();
   wanted = false;
   const std::vector<float> right = found;
-  const long calls = count_calls(render), before = allocations_held();
+  const long calls = count_calls(render), before = allocations_held(), bytes = bytes_allocated();
   EXPECT_GT(calls, 100);
   std::printf("%ld allocations\n", calls);
   int cases = 0;
@@ -93,6 +93,7 @@ void sweep_renders(Room room, const ups_render_desc& desc, long samples) {
       ASSERT_EQ(found, right) << "after the failure of allocation " << k;
       wanted = false;
     }
+  expect_as_much(bytes);
 }
 
 Room watched_room(int threads, int meter_count = 40) {

@@ -66,7 +66,8 @@ TEST(Hazard28, FirefliesAtMetersAreFlaggedAndUnbiased) {
   EXPECT_LE(wrong, 0.01 * unflagged);
 }
 
-// A lamp a sixth as wide, found by one path in 10,000: no reading of it is told without a flag.
+// A lamp a sixth as wide, found by one path in 10,000: no reading of it is told without a flag. Flags alone are judged, of
+// seeds that are fixed.
 TEST(Hazard28, RareFirefliesAtMetersAreAllFlagged) {
   Fireflies room(0, 0, 0.02);
   for (uint64_t seed = 1; seed <= 8; ++seed) {

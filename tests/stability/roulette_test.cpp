@@ -70,7 +70,8 @@ class Contributions : public PathRecorder {
 
 // A long white corridor, lit at one end: the dark end's light is all of many bounces. One sample of next-event
 // estimation brings at most rho L A / d^2, with d the least distance of a surface from the lamp, and roulette must not
-// add to that; nor may a light path carry more than the lamp's flux.
+// add to that; nor may a light path carry more than the lamp's flux. Single paths are judged, of random numbers that are
+// fixed: the largest, and the kurtosis, are a third of what is allowed.
 TEST(Hazard13, NoPathOfALongCorridorBringsMoreThanOneSampleOfTheLamp) {
   constexpr float rho = 0.9f, luminance_cd_m2 = 4000;
   constexpr double area = 0.25, least_distance = 0.7;  // the lamp's edge to the walls beside it

@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 cores=$(nproc)
-named='Hazard|Taught|SetsEmittersBack|AimsHaveAShare|RepeatItsRays|MeetAllBatches|TellsPathsThatAreDropped'
+named='Hazard|Taught|SetsEmittersBack|AimsHaveAShare|RepeatItsRays|MeetAllBatches|TellsEachKind'
 named+='|Distribution[.]Samples|TechniqueSubsets'
 case " $* " in
   *" -R "*) ;;
