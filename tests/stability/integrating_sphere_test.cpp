@@ -8,7 +8,8 @@
 // discs, and by merging alone, which the mesh's edges blur by some tenths of a percent.
 //
 // Within 0.3 %, at standard errors of at most 0.1 %: an error of 0.6 % is found in 99 cases of 100, of 1 % with
-// certainty. False alarms take 3 standard errors at the limit of noise: P(|t| > 3) is 2.0 % of 8 batches, 1.2 % of 12, 0.9 % of 16.
+// certainty. False alarms take 3 standard errors at the limit of noise: P(|t| > 3) is 2.0 % of 8 batches, 1.2 % of 12 and
+// 0.9 % of 16.
 //
 // One number decides how long a path gets (PathSampler::roulette): lengths are stratified, which leaves little noise.
 #include "../support/expect_lx.h"
