@@ -323,8 +323,8 @@ TEST_F(Taught_SmallMirror, DiscsOfPixelsThatOverlapCountOnce) {
   EXPECT_GT(mean(i.illuminance_bound), least_lx);
 }
 
-// The same of a cell, on which a third of the renders has some light land by way of the mirror. Of 40
-// bounds that hold 95 % and no more, more than two would miss in 32 of 100 cases, of such as hold 98 % in 5; seeds are fixed.
+// The same of a cell, on which a third of the renders has some light land by way of the mirror. Of 40 bounds that hold 95 %
+// and no more, more than two would miss in 32 of 100 cases, of such as hold 98 % in 5; seeds are fixed.
 TEST_F(Taught_SmallMirror, IsInTheBoundOfACellThatNoneHasReached) {
   const double expected = expected_lx();
   int missed = 0;
