@@ -112,6 +112,7 @@ void RenderJob::add_warnings(RenderResult& r) const {
   r.warnings += crowd_notice(sums_->work());
   const double emitted = scene_->emitters.flux_lm();
   r.warnings += leaning_notice(books(), sums_->work(), emitted);
+  r.warnings += importance_warning(importance_balance(sums_->work().importance));
   if (!(emitted > 0)) return;
   r.warnings += length_notice(desc_.max_path_length, books_flux_ ? books() : WorkCounts{}, emitted);
   if (books().light_paths > 0) r.warnings += flux_warning(flux_balance(books(), emitted), emitted);

@@ -1,8 +1,10 @@
-// Where the flux of light paths goes: summed over them as they are traced, at the cost of some additions an edge.
+// Where the flux of light paths goes, and the importance of eye paths: summed over them as they are traced, at the cost
+// of some additions an edge.
 //
 // Of a path that starts with S, S = absorbed + escaped + cut + roulette + what is lost, to rounding: what comes to a
 // vertex and does not leave it is absorbed. So the books do not tell whether a material gives back too much. They tell
-// whether emission starts paths with the flux that it states, whether any are lost, and whether roulette is fair.
+// whether emission starts paths with the flux that it states (a sensor's response does by construction), whether any are
+// lost, and whether roulette is fair.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -10,10 +12,10 @@
 
 namespace ups {
 
-struct FluxBooks {  // lm, not yet divided by the number of paths
+struct FluxBooks {  // lm, or of an eye path what its sensor weighs it by; not yet divided by the number of paths
   double started = 0, started_squares = 0;
   double absorbed = 0, escaped = 0;
-  double cut = 0;  // left at the greatest length of paths that was asked for
+  double cut = 0;  // left at the greatest length of paths that was asked for, or where the method ends them
   // Taken by roulette from paths that it ended, less what it gave to others: each game is fair, of a variance known
   // before it is played. Numbers of a batch's paths are stratified, by which all together vary less.
   double roulette = 0, roulette_variance = 0, largest_game = 0;

@@ -79,7 +79,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       if (!sensors_.empty()) cross_sensors(a);
       if (!met_.found) {
         if (!carry(met_.transmittance_of_earlier(scene_))) return;
-        work_.flux.escaped += luminance(carried_);
+        books().escaped += luminance(carried_);
         if (!scene_.goniometers.empty()) block_.share.push_back(block_.escapes, {direction_, luminance(carried_)});
         return;
       }
@@ -107,7 +107,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
       else if (!casters_ && ends_with_casters_)
         return;
     }
-    work_.flux.cut += luminance(carried_);
+    cut();
   }
 
   bool emit() {
@@ -126,7 +126,7 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
     carried_ = start_carried_ = start_.flux / choice.probability;
     if (!is_finite(carried_) || !is_finite(origin_) || !is_finite(start_.direction)) return drop(Drop::emission);
     if (is_black(carried_)) return false;
-    work_.flux.start(luminance(carried_));
+    books().start(luminance(carried_));
     work_.brightest_lm = std::max(work_.brightest_lm, luminance(carried_));
     direction_ = start_.direction;
     const uint32_t media = scene_.media_of_emitter[choice.index];

@@ -60,11 +60,15 @@ class Subpath {
   }
   Vec3 last_met() const { return met_.found ? met_.surface.p : origin_; }
 
-  // False where the path ends as what is left is not finite; the books then lack its flux.
+  FluxBooks& books() {
+    if constexpr (from_emitter) return work_.flux;
+    else return work_.importance;
+  }
+  // False where the path ends as what is left is not finite; the books then lack it.
   bool carry(const Rgb& share) {
     const Rgb after = carried_ * share;
     if (!is_finite(after)) return drop(own_walk);
-    if constexpr (from_emitter) work_.flux.absorbed += double(luminance(carried_)) - double(luminance(after));
+    books().absorbed += double(luminance(carried_)) - double(luminance(after));
     carried_ = after;
     return true;
   }
@@ -80,6 +84,10 @@ class Subpath {
   }
   bool absorb() {
     carry(Rgb(0.0f));
+    return false;
+  }
+  bool cut() {
+    books().cut += luminance(carried_);
     return false;
   }
 
@@ -164,7 +172,7 @@ class Subpath {
     const bool survives = roulette_ < q;
     roulette_ /= q;
     const Rgb after = survives ? carried_ * (1 / q) : Rgb(0.0f);
-    if constexpr (from_emitter) work_.flux.play(luminance(carried_), q, luminance(after));
+    books().play(luminance(carried_), q, luminance(after));
     carried_ = after;
     return survives;
   }

@@ -50,7 +50,7 @@ struct WorkCounts {
   float brightest_caustic_lm = 0;  // of those that a caster sent on, from no other surface
   std::array<uint64_t, size_t(Drop::count)> dropped{};
   std::vector<DroppedSample> first_dropped;  // one of each Drop: the first, in an order that threads do not change
-  FluxBooks flux;
+  FluxBooks flux, importance;  // of light paths, of eye paths
   LeaningLoss leaning_lm;   // of light paths
   // Of eye paths, as shares of the importance that they start with; within glass of index n as 1 / n^2 of it.
   LeaningLoss leaning_eye;
@@ -75,6 +75,7 @@ struct WorkCounts {
       if (dropped[size_t(d.where)] == 0) first_dropped.push_back(d);
     for (size_t i = 0; i < dropped.size(); ++i) dropped[i] += o.dropped[i];
     flux.add(o.flux);
+    importance.add(o.importance);
     leaning_lm.add(o.leaning_lm);
     leaning_eye.add(o.leaning_eye);
   }

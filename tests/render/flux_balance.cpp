@@ -1,5 +1,5 @@
-// Is a render told from another by its books where flux is lost on the way, starts wrong or is taken by roulette? And
-// do books without a fault pass?
+// Is a render told from another by its books where flux or importance is lost on the way, starts wrong or is taken by
+// roulette? And do books without a fault pass?
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,9 +34,12 @@ std::shared_ptr<const RenderResult> render(std::shared_ptr<Snapshot> scene, ups_
   return job.result();
 }
 
-constexpr const char* does_not_close = "the flux balance does not close";
-
-bool warns(const RenderResult& r) { return r.warnings.find(does_not_close) != std::string::npos; }
+bool warns(const RenderResult& r) {
+  return r.warnings.find("the flux balance does not close") != std::string::npos;
+}
+bool warns_of_eye_paths(const RenderResult& r) {
+  return r.warnings.find("the balance of eye paths does not close") != std::string::npos;
+}
 
 // Within 4.6 standard errors, which Gaussian noise passes in 4 of 10^6, of at most 0.15 % of what is emitted: of what
 // roulette takes or gives 1 % is found in 97.7 of 100 cases, and 1e-6 of what is lost on the way, by the warning. In
@@ -55,7 +58,7 @@ TEST(FluxBalance, ClosesInRoomsWithoutAFault) {
       if (c.absorption_per_m > 0)
         for (Material& m : scene->materials) m.absorption_per_m = Rgb(c.absorption_per_m);
       const auto r = render(scene, method, 2, c.paths);
-      EXPECT_FALSE(warns(*r)) << r->warnings;
+      EXPECT_FALSE(warns(*r) || warns_of_eye_paths(*r)) << r->warnings;
       EXPECT_EQ(r->dropped, "");
       const ups_result_info& i = r->info;
       EXPECT_GE(i.flux_balance_standard_error_lm, 0);
@@ -111,6 +114,49 @@ TEST(FluxBalance, TellsPathsThatAreDroppedAndWhere) {
   EXPECT_NE(one->dropped.find("the first in camera 1, pixel (0, 0) of iteration 0, near ("), std::string::npos)
       << one->dropped;
   for (const int threads : {2, 3}) EXPECT_EQ(render(poisoned(), UPS_METHOD_UPS, threads)->dropped, one->dropped);
+}
+
+// Of each method, of paths that are cut off and of those that leave an open room, with glass that absorbs and with
+// mirrors: all importance that eye paths start with is accounted for, to the rounding of the sums.
+TEST(FluxBalance, AccountsForTheImportanceOfEyePaths) {
+  ThreadPool pool(2);
+  const StopSignal stop;
+  for (const ups_material_model model : {UPS_MATERIAL_MATTE, UPS_MATERIAL_MIRROR, UPS_MATERIAL_GLASS})
+    for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PPM,
+                                    UPS_METHOD_SPPM, UPS_METHOD_LIGHT_TRACING})
+      for (const uint32_t longest : {0u, 3u}) {
+        const auto scene = test::room(model, true);
+        for (Material& m : scene->materials) m.absorption_per_m = Rgb(0.1f);
+        TransportSettings settings{.method = *method_of(method)};
+        settings.techniques = settings.method.techniques;
+        settings.max_path_length = longest;
+        settings.light_paths = 1024;
+        Integrator integrator(scene, settings, pool, stop);
+        FluxBooks books;
+        for (uint32_t i = 0; i < 8; ++i) {
+          IterationTally tally;
+          EXPECT_TRUE(integrator.run(i, stop, tally));
+          books.add(tally.work.importance);
+        }
+        const std::string what = std::to_string(model) + ", " + std::to_string(method) + ", " + std::to_string(longest);
+        EXPECT_NEAR(books.absorbed + books.escaped + books.cut + books.roulette, books.started, 1e-9 * books.started)
+            << what;
+        EXPECT_TRUE(importance_balance(books).closes()) << what << importance_warning(importance_balance(books));
+        if (method != UPS_METHOD_PATH_TRACING) continue;
+        EXPECT_GT(books.escaped, 0.01 * books.started) << what;
+        EXPECT_EQ(books.cut > 0.001 * books.started, longest > 0) << what;
+      }
+}
+
+TEST(FluxBalance, OfEyePathsTellsThoseThatAreDropped) {
+  for (const ups_method method : {UPS_METHOD_PATH_TRACING, UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL}) {
+    const auto scene = test::room(UPS_MATERIAL_GLASS);
+    EXPECT_FALSE(warns_of_eye_paths(*render(scene, method, 2, 0)));
+    for (Material& m : scene->materials) m.absorption_per_m = Rgb(nan);
+    const auto r = render(scene, method, 2, 0);
+    EXPECT_TRUE(warns_of_eye_paths(*r)) << r->warnings;
+    EXPECT_NE(r->warnings.find("is neither absorbed nor escapes"), std::string::npos) << r->warnings;
+  }
 }
 
 // Each by its name, with the first of two alone.
@@ -211,8 +257,10 @@ TEST(FluxBalance, TellsUnfairRoulette) {
   for (const double cheat : {-0.02, 0.02}) {
     const FluxBalance b = flux_balance(played(1, 100000, cheat), 1);
     EXPECT_FALSE(b.closes());
-    EXPECT_NE(flux_warning(b, 1).find(cheat > 0 ? "Russian roulette gives" : "Russian roulette takes"),
-              std::string::npos) << flux_warning(b, 1);
+    const char* told = cheat > 0 ? "Russian roulette gives" : "Russian roulette takes";
+    EXPECT_NE(flux_warning(b, 1).find(told), std::string::npos) << flux_warning(b, 1);
+    const std::string of_eyes = importance_warning(importance_balance(played(1, 100000, cheat).flux));
+    EXPECT_NE(of_eyes.find(told), std::string::npos) << of_eyes;
   }
 }
 
@@ -230,6 +278,8 @@ TEST(FluxBalance, TellsWhatUnequalPathsLoseOnTheirWays) {
     const FluxBalance b = flux_balance(w, 1);
     EXPECT_EQ(b.closes(), loss == 0) << flux_warning(b, 1);
     EXPECT_EQ(flux_warning(b, 1).find("are neither absorbed nor escape") != std::string::npos, loss > 0);
+    const std::string of_eyes = importance_warning(importance_balance(w.flux));
+    EXPECT_EQ(of_eyes.find("0.001 % is neither absorbed nor escapes") != std::string::npos, loss > 0) << of_eyes;
   }
 }
 
@@ -237,6 +287,7 @@ TEST(FluxBalance, OfAFewPathsIsNoAlarm) {
   for (uint64_t seed = 1; seed <= 2000; ++seed) {
     EXPECT_TRUE(flux_balance(played(seed, 1, 0), 1).closes()) << seed;
     EXPECT_TRUE(flux_balance(played(seed, 7, 0), 1).closes()) << seed;
+    EXPECT_TRUE(importance_balance(played(seed, 7, 0).flux).closes()) << seed;
   }
 }
 

@@ -43,8 +43,9 @@ IterationTally run(std::shared_ptr<Snapshot> scene, uint32_t techniques, uint32_
   IterationTally tally;
   EXPECT_TRUE(integrator.run(0, stop, tally));
   const WorkCounts& w = tally.work;
-  EXPECT_TRUE(std::isfinite(w.flux.absorbed)) << w.flux.absorbed;
-  EXPECT_TRUE(std::isfinite(w.flux.escaped)) << w.flux.escaped;
+  for (const FluxBooks& b : {w.flux, w.importance})
+    for (const double part : {b.started, b.absorbed, b.escaped, b.cut, b.roulette, b.roulette_variance})
+      EXPECT_TRUE(std::isfinite(part)) << part;
   EXPECT_TRUE(std::isfinite(w.leaning_lm.sum) && std::isfinite(w.leaning_eye.sum));
   for (const auto& set : tally.meters)
     for (const MeterTally& m : set)

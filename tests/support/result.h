@@ -38,7 +38,7 @@ class Result {
  public:
   Result(ups_result* result, const std::vector<Sensor>& sensors) : result_(result, ups_result_destroy) {
     if (info().dropped_samples != 0) throw std::runtime_error("dropped samples: " + text(UPS_TEXT_DROPPED));
-    if (text(UPS_TEXT_WARNINGS).find("flux balance") != std::string::npos)
+    if (text(UPS_TEXT_WARNINGS).find("does not close") != std::string::npos)
       throw std::runtime_error(text(UPS_TEXT_WARNINGS));
     for (const Sensor& s : sensors) {
       if (s.count > 0)

@@ -7,8 +7,8 @@
 
 namespace ups::test {
 
-// A closed room of one material, outwards, with a lamp, two meters and a camera.
-inline std::shared_ptr<Snapshot> room(ups_material_model model) {
+// A room of one material, outwards, with a lamp, two meters and a camera; open: one wall is missing.
+inline std::shared_ptr<Snapshot> room(ups_material_model model, bool open = false) {
   Description description;
   ups_material_desc material{};
   material.struct_size = sizeof material;
@@ -19,7 +19,7 @@ inline std::shared_ptr<Snapshot> room(ups_material_model model) {
   static const uint32_t i[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
                                  2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
   ups_mesh_desc mesh{};
-  mesh.vertex_count = 8, mesh.triangle_count = 12;
+  mesh.vertex_count = 8, mesh.triangle_count = open ? 10 : 12;
   mesh.material = description.add_material(material);
   mesh.positions_m = p, mesh.indices = i;
   ups_instance_desc instance{};
