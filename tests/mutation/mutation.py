@@ -16,6 +16,7 @@ import schemata
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLES = pathlib.Path(__file__).resolve().parent / "mutants"
+LAST_RESULT = pathlib.Path(__file__).resolve().parent / "README.md"
 # Of rising cost, with the folders of code that they link. What is not there (a kind of test of a later or earlier
 # time) is left out.
 SCENE = "base geometry bsdf emitter sensor photometry scene"
@@ -93,8 +94,13 @@ def is_newer(report, files):
     return report.exists() and all(f.stat().st_mtime < report.stat().st_mtime for f in files)
 
 
+def time_limit(seconds):
+    return 30 + 20 * seconds
+
+
 def run_unchanged(executables, wanted, folder, resume):
-    """Mutant 0: all tests must pass. Returns tiers of steps: executable, its tests of that tier, the time limit."""
+    """Mutant 0: all tests must pass. Returns tiers of steps: executable, its tests of that tier, the time limit; and
+    by executable the time that each of its tests takes."""
     times = {}
     for executable in executables:
         report = folder / (executable.name + ".json")
@@ -118,10 +124,22 @@ def run_unchanged(executables, wanted, folder, resume):
         for executable, by_test in times.items():
             chosen = {t: s for t, s in by_test.items() if low < s <= high}
             if chosen:
-                steps.append((executable, list(chosen), 30 + 20 * sum(chosen.values())))
+                steps.append((executable, list(chosen), time_limit(sum(chosen.values()))))
         tiers.append(steps)
         low = high
-    return tiers
+    return tiers, times
+
+
+def last_finders():
+    """By mutant, of the table of the last result: `executable: test` that found it."""
+    row = r"^\| (\w+) \|.*\| (?:crash in |hang in )?(\w+: [\w/.]+) \|[ 0-9]*\|$"
+    return dict(re.findall(row, LAST_RESULT.read_text(), re.M))
+
+
+def steps_of_last_finders(times):
+    """By mutant: what is most likely to find it again, as far as it is among the tests."""
+    known = {f"{e.name}: {t}": (e, [t], time_limit(s)) for e, tests in times.items() for t, s in tests.items()}
+    return {name: [known[finder]] for name, finder in last_finders().items() if finder in known}
 
 
 def test_mutant(mutant, steps, result):
@@ -195,7 +213,7 @@ def main():
     folder = args.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     schemata.make_tree(ROOT, folder / "tree", everything)
-    tiers = run_unchanged(build(folder / "tree", os.cpu_count()), args.tests, folder, args.resume)
+    tiers, times = run_unchanged(build(folder / "tree", os.cpu_count()), args.tests, folder, args.resume)
     results, path, lock = {}, folder / "results.json", threading.Lock()
     if path.exists():  # of the others, and with --resume of these
         same = {m.name: m.identity() for m in everything if args.resume or m not in mutants}
@@ -205,21 +223,28 @@ def main():
         if m.name not in results or not (results[m.name]["found"] or results[m.name]["tests"] == tests):
             results[m.name] = {"identity": m.identity(), "tests": tests, "found": None, "seconds": 0.0, "tiers": 0}
 
-    def one(mutant, tier):
+    def one(mutant, steps, tiers_met):
         result = results[mutant.name]
-        test_mutant(mutant, tiers[tier], result)
+        test_mutant(mutant, steps, result)
         with lock:
-            result["tiers"] = tier + 1
+            result["tiers"] = tiers_met
             path.with_suffix(".new").write_text(json.dumps(results, indent=1))
             path.with_suffix(".new").replace(path)
-            if result["found"] or tier + 1 == len(tiers):
+            if result["found"] or tiers_met == len(tiers):
                 print(f"{mutant.name}: {result['found'] or 'NOT FOUND'} ({result['seconds']} s)", flush=True)
 
-    for tier, steps in enumerate(tiers):  # all mutants meet the quick tests first
+    def all_of(chosen, steps_of, tiers_met):
+        with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+            list(pool.map(lambda m: one(m, steps_of(m), tiers_met), chosen))
+
+    finders = steps_of_last_finders(times)
+    again = [m for m in mutants if m.name in finders and not results[m.name]["found"] and not results[m.name]["tiers"]]
+    print(f"-- {len(again)} mutants, each the test that found it last", flush=True)
+    all_of(again, lambda m: finders[m.name], 0)
+    for tier, steps in enumerate(tiers):  # all that are left meet the quick tests first
         left = [m for m in mutants if not results[m.name]["found"] and results[m.name]["tiers"] <= tier]
         print(f"-- {len(left)} mutants, {sum(len(tests) for _, tests, _ in steps)} tests", flush=True)
-        with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-            list(pool.map(lambda m, t=tier: one(m, t), left))
+        all_of(left, lambda m, s=steps: s, tier + 1)
     text, share = summary_of(mutants, results)
     report = table_of(mutants, results) + "\n\n" + text + "\n"
     (folder / "table.md").write_text(report)
