@@ -29,6 +29,7 @@ EXECUTABLES = {"base/base_tests": "base", "bsdf/test_bsdf": "base geometry bsdf"
                "api/api_tests": "all", "analytic/test_analytic": "all", "stability/test_stability": "all",
                "agreement/test_agreement": "all"}
 TIERS = (0.1, 1.0, 10.0, float("inf"))  # s a test takes: all quick ones run before the first slow one
+TIERS_OF_EQUIVALENT = 2  # unless they are asked for by name: no test can find them, if their reasons are right
 LEAST_SHARE = 0.95
 
 
@@ -223,6 +224,9 @@ def main():
         if m.name not in results or not (results[m.name]["found"] or results[m.name]["tests"] == tests):
             results[m.name] = {"identity": m.identity(), "tests": tests, "found": None, "seconds": 0.0, "tiers": 0}
 
+    def tiers_of(mutant):
+        return TIERS_OF_EQUIVALENT if mutant.equivalent and not args.mutants else len(tiers)
+
     def one(mutant, steps, tiers_met):
         result = results[mutant.name]
         test_mutant(mutant, steps, result)
@@ -230,7 +234,7 @@ def main():
             result["tiers"] = tiers_met
             path.with_suffix(".new").write_text(json.dumps(results, indent=1))
             path.with_suffix(".new").replace(path)
-            if result["found"] or tiers_met == len(tiers):
+            if result["found"] or tiers_met == tiers_of(mutant):
                 print(f"{mutant.name}: {result['found'] or 'NOT FOUND'} ({result['seconds']} s)", flush=True)
 
     def all_of(chosen, steps_of, tiers_met):
@@ -242,7 +246,7 @@ def main():
     print(f"-- {len(again)} mutants, each the test that found it last", flush=True)
     all_of(again, lambda m: finders[m.name], 0)
     for tier, steps in enumerate(tiers):  # all that are left meet the quick tests first
-        left = [m for m in mutants if not results[m.name]["found"] and results[m.name]["tiers"] <= tier]
+        left = [m for m in mutants if not results[m.name]["found"] and results[m.name]["tiers"] <= tier < tiers_of(m)]
         print(f"-- {len(left)} mutants, {sum(len(tests) for _, tests, _ in steps)} tests", flush=True)
         all_of(left, lambda m, s=steps: s, tier + 1)
     text, share = summary_of(mutants, results)
