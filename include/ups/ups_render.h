@@ -140,7 +140,8 @@ typedef struct ups_result_info {
                                           * chance, UPS_TEXT_WARNINGS says so: by mistake once in 10,000 renders. What
                                           * shading normals or grazing angles keep from going on is absorbed; whether a
                                           * material returns more than it gets is not told. What eye paths carry is
-                                          * balanced, and told, likewise in every render, whatever its method */
+                                          * balanced likewise in every render, whatever its method, which
+                                          * UPS_TEXT_WARNINGS alone tells of */
   double maintenance_factor;              /* of the scene: that its luminaires' flux is multiplied by */
   uint64_t revision;                      /* of the scene that was rendered, as in its ups_scene_info then */
 } ups_result_info;

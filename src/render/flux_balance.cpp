@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "scene/check.h"
 
 namespace ups {
@@ -46,8 +47,7 @@ void follow(const FluxBooks& f, double n, double started, FluxBalance& b) {
   b.chance_of_roulette = chance(f.roulette_variance / (n * n), f.largest_game / n);
 }
 
-constexpr const char* end_of_warning =
-    "; readings may be wrong by as much. This is a defect of the library, or some samples were dropped\n";
+constexpr const char* end_of_warning = ". This is a defect of the library, or some samples were dropped\n";
 
 }  // namespace
 
@@ -83,30 +83,32 @@ FluxBalance importance_balance(const FluxBooks& f) {
 std::string flux_warning(const FluxBalance& b, double emitted_lm) {
   if (b.closes()) return {};
   const auto lm = [](double value) { return check::text(value) + " lm"; };
+  const std::string end = std::string("; readings may be wrong by as much") + end_of_warning;
   const std::string start = "the flux balance does not close: of " + lm(emitted_lm) + " emitted ";
   const bool starts = is_chance(b.not_started_lm, b.chance_of_starts), arrives = is_chance(b.lost_lm, b.chance_of_lost);
   if (!starts || !arrives) {
     const double lost = (starts ? 0 : b.not_started_lm) + (arrives ? 0 : b.lost_lm);
     return start + lm(std::abs(lost)) +
            (lost > 0 ? " are neither absorbed nor escape" : " too much is absorbed or escapes") +
-           ", where chance explains " + lm(arrives ? b.chance_of_starts : b.chance_of_lost) + end_of_warning;
+           ", where chance explains " + lm(arrives ? b.chance_of_starts : b.chance_of_lost) + end;
   }
   return start + "Russian roulette " + (b.roulette_lm > 0 ? "takes " : "gives ") + lm(std::abs(b.roulette_lm)) +
          " more than it " + (b.roulette_lm > 0 ? "gives" : "takes") + ", where chance explains " +
-         lm(b.chance_of_roulette) + end_of_warning;
+         lm(b.chance_of_roulette) + end;
 }
 
 std::string importance_warning(const FluxBalance& b) {
   if (b.closes()) return {};
-  const auto percent = [](double share) { return check::text(100 * share) + " %"; };
-  const std::string start = "the balance of eye paths does not close: of the importance that they start with ";
+  const auto percent = [](double share) { return short_number(100 * share, 2) + " %"; };
+  const std::string end = std::string("; of all sensors together: readings may be wrong by more") + end_of_warning,
+                    start = "the balance of eye paths does not close: of the importance that they start with ";
   if (!is_chance(b.lost_lm, b.chance_of_lost))
     return start + percent(std::abs(b.lost_lm)) +
            (b.lost_lm > 0 ? " is neither absorbed nor escapes" : " too much is absorbed or escapes") +
-           ", where rounding explains " + percent(b.chance_of_lost) + end_of_warning;
+           ", where rounding explains " + percent(b.chance_of_lost) + end;
   return start + "Russian roulette " + (b.roulette_lm > 0 ? "takes " : "gives ") + percent(std::abs(b.roulette_lm)) +
          " more than it " + (b.roulette_lm > 0 ? "gives" : "takes") + ", where chance explains " +
-         percent(b.chance_of_roulette) + end_of_warning;
+         percent(b.chance_of_roulette) + end;
 }
 
 }  // namespace ups

@@ -91,7 +91,7 @@ void EyeWalk::walk() {
     trace(edges);
     if (scene_.openings) hit_openings(edges);
     if (!met_.found) {
-      books().escaped += luminance(carried_);
+      if (carry(met_.transmittance_of_earlier(scene_))) books().escaped += luminance(carried_);
       return;
     }
     if (!carry_to_met()) return;

@@ -123,7 +123,8 @@ TEST(FluxBalance, AccountsForTheImportanceOfEyePaths) {
   const StopSignal stop;
   for (const ups_material_model model : {UPS_MATERIAL_MATTE, UPS_MATERIAL_MIRROR, UPS_MATERIAL_GLASS})
     for (const ups_method method : {UPS_METHOD_UPS, UPS_METHOD_PATH_TRACING, UPS_METHOD_BIDIRECTIONAL, UPS_METHOD_PPM,
-                                    UPS_METHOD_SPPM, UPS_METHOD_LIGHT_TRACING})
+                                    UPS_METHOD_SPPM, UPS_METHOD_BIDIRECTIONAL_PHOTON_MAPPING,
+                                    UPS_METHOD_LIGHT_TRACING})
       for (const uint32_t longest : {0u, 3u}) {
         const auto scene = test::room(model, true);
         for (Material& m : scene->materials) m.absorption_per_m = Rgb(0.1f);

@@ -55,6 +55,8 @@ std::string balance_sentence(const PageInput& in) {
   const std::string warnings = result_text(in.result, UPS_TEXT_WARNINGS);
   if (warnings.find("the flux balance does not close") != std::string::npos)
     return "The difference is larger than chance explains: see the warnings.";
+  if (warnings.find("the balance of eye paths does not close") != std::string::npos)
+    return "Light paths lose nothing, but eye paths do: see the warnings.";
   if (warnings.find("paths end after ") != std::string::npos)
     return "Paths were cut, as was asked for: readings lack the light that goes on (see the warnings).";
   return "The balance is closed within chance: no light is lost.";
