@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Breaks the engine in one place at a time and shows which test finds it, from a bare Debian 12, Debian 13 or Ubuntu
 # 24.04 (root or sudo): installs what is missing, builds all mutants at once, runs the tests on each. See README.md.
-#   tests/mutation/run.sh                       all: some 40 minutes
+#   tests/mutation/run.sh                       all: half an hour
 #   tests/mutation/run.sh weights merge_sign 7  some: regular expressions of file and name, names, numbers
 #   tests/mutation/run.sh --list                what there is
 # Exit code 1 where fewer than 95 % are found.
