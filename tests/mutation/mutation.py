@@ -161,14 +161,16 @@ def table_of(mutants, results):
     lines = ["| mutant | where | what was broken | found by | s |", "|---|---|---|---|---|"]
     for m in mutants:
         r = results[m.name]
-        found = r["found"] or (f"not: equivalent, {m.equivalent}" if m.equivalent else "**not found**")
+        found = r["found"] or "**not found**"
+        if m.equivalent:
+            found = f"not: equivalent, {m.equivalent}" + (f" (seen by {found})" if r["found"] else "")
         lines.append(f"| {m.name} | `{m.file}` {m.function} | {m.breaks} | {found} | {r['seconds']:.0f} |")
     return "\n".join(lines)
 
 
 def summary_of(mutants, results):
-    found = [m for m in mutants if results[m.name]["found"]]
-    equivalent = [m for m in mutants if m.equivalent and not results[m.name]["found"]]
+    equivalent = [m for m in mutants if m.equivalent]
+    found = [m for m in mutants if results[m.name]["found"] and not m.equivalent]
     counted = len(mutants) - len(equivalent)
     share = len(found) / counted if counted else 1.0
     text = (f"{len(mutants)} mutants: {len(found)} found, {len(equivalent)} equivalent, "

@@ -1,7 +1,8 @@
 // How a scene of the torture set is judged. Each is rendered by Unified Path Sampling, bidirectional path tracing, path
 // tracing, SPPM and the automatic choice, with random numbers of their own. Result (support/result.h) throws where a
 // reading, an error, a pixel or the books of flux are not finite, where a sample was dropped or where the balance of
-// flux or of eye paths does not close; what it does not read by itself is read here, and by another short render (all_outputs.h).
+// flux or of eye paths does not close; what it does not read by itself is read here, and by another short render
+// (all_outputs.h).
 //
 // Means of sets of meters are compared, with the truth where it is known, else with what the first three methods but
 // the judged one read, weighted by 1 / s^2; and the mean of all methods with the truth. Each comparison has a standard
