@@ -69,9 +69,10 @@ inline bool merge_gate(const Bsdf& bsdf) { return bsdf.has_continuous() || !bsdf
 // and so flat within the radius.
 inline constexpr float min_merge_cosine = 0.7f, max_merge_height = 0.1f;
 
-// A blended surface may lie on another, whose photons are not its own. blends: the coverage there is below 1.
-inline bool merges_with(const Snapshot& scene, const SurfacePoint& own, uint32_t material, bool blends) {
-  return material == own.material || !(blends || scene.panes.is_blended(own.instance));
+// A blended surface may lie on another, whose photons are not its own. blends: the coverage there is below 1. material:
+// read where it matters alone, as a light vertex has it in a line of the cache that merges need for nothing else.
+inline bool merges_with(const Snapshot& scene, const SurfacePoint& own, const uint32_t& material, bool blends) {
+  return !(blends || scene.panes.is_blended(own.instance)) || material == own.material;
 }
 
 // Long walks look up now and then whether they are still wanted.
