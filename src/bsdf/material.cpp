@@ -79,6 +79,38 @@ float radiance_scale(const BsdfParameters& p, const Vec3& wo, const Vec3& wi, Tr
   return turned(p, wo).z > 0 ? 1 / n2 : n2;
 }
 
+// Which lobes there are, once all else is prepared: a vertex asks for it many times.
+void find_lobes(BsdfParameters& p) {
+  const MaterialModel model = p.material->model;
+  const bool rough = p.alpha > 0;
+  p.is_caster = rough && is_mostly_interface(model, p.metallic) && is_sharp(model, p.alpha, p.ior);
+  switch (model) {
+    case MaterialModel::matte:
+    case MaterialModel::diffuser:
+      p.transmits_continuously = !is_black(p.transmittance);
+      p.min_alpha_continuous = is_black(p.reflectance) && is_black(p.transmittance) ? 0.0f : 1.0f;
+      break;
+    case MaterialModel::mirror:
+      p.has_delta = !is_black(p.reflectance);
+      break;
+    case MaterialModel::glazing:
+      p.has_delta = true;
+      break;
+    case MaterialModel::glass:
+      p.has_delta = !rough;
+      p.transmits_continuously = rough;
+      p.min_alpha_continuous = p.alpha;
+      break;
+    case MaterialModel::plastic:
+    case MaterialModel::metal: {
+      const bool reflects = p.metallic > 0 || p.material->ior > 1;
+      p.has_delta = !rough && reflects;
+      p.min_alpha_continuous = rough && reflects ? p.alpha : is_black(p.base) ? 0.0f : 1.0f;
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 void prepare_interface(Material& m) {
@@ -125,6 +157,7 @@ Bsdf::Bsdf(const Material& m, float relative_ior, const Textured& textured) {
       glass::prepare(p_);
       break;
   }
+  find_lobes(p_);
 }
 
 Textured Bsdf::textured() const {
@@ -142,62 +175,11 @@ Rgb base_colour(const Material& m, const Vec2& uv) {
   return {facing(m.ior_rgb.r, m.ior_k_rgb.r), facing(m.ior_rgb.g, m.ior_k_rgb.g), facing(m.ior_rgb.b, m.ior_k_rgb.b)};
 }
 
-bool Bsdf::is_caster() const {
-  const MaterialModel model = p_.material->model;
-  return p_.alpha > 0 && is_mostly_interface(model, p_.metallic) && is_sharp(model, p_.alpha, p_.ior);
-}
-
-bool Bsdf::has_delta() const {
-  switch (p_.material->model) {
-    case MaterialModel::matte:
-    case MaterialModel::diffuser:
-      return false;
-    case MaterialModel::mirror:
-      return !is_black(p_.reflectance);
-    case MaterialModel::glazing:
-      return true;
-    case MaterialModel::glass:
-      return !(p_.alpha > 0);
-    case MaterialModel::plastic:
-    case MaterialModel::metal:
-      return !(p_.alpha > 0) && (p_.metallic > 0 || p_.material->ior > 1);
-  }
-  return false;
-}
-
-float Bsdf::min_alpha_continuous() const {
-  switch (p_.material->model) {
-    case MaterialModel::mirror:
-    case MaterialModel::glazing:
-      return 0;
-    case MaterialModel::matte:
-    case MaterialModel::diffuser:
-      return is_black(p_.reflectance) && is_black(p_.transmittance) ? 0 : 1;
-    case MaterialModel::glass:
-      return p_.alpha;
-    case MaterialModel::plastic:
-    case MaterialModel::metal:
-      if (p_.alpha > 0 && (p_.metallic > 0 || p_.material->ior > 1)) return p_.alpha;
-      return is_black(p_.base) ? 0 : 1;
-  }
-  return 0;
-}
-
-bool Bsdf::has_continuous() const { return min_alpha_continuous() > 0; }
-
 bool Bsdf::transmits() const {
   const Material& m = *p_.material;
   if (m.pane) return m.pane->transmits();
   return m.model == MaterialModel::glass || !is_black(m.model == MaterialModel::glazing ? m.transmittance
                                                                                        : p_.transmittance);
-}
-
-bool Bsdf::transmits_continuously() const {
-  switch (p_.material->model) {
-    case MaterialModel::diffuser: return !is_black(p_.transmittance);
-    case MaterialModel::glass: return p_.alpha > 0;
-    default: return false;
-  }
 }
 
 Scattering Bsdf::evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const {

@@ -61,6 +61,7 @@ struct BsdfParameters {
   float metallic = 0;
   float ior = 1;         // glass: of the denser side over the other one, so at least 1
   bool flipped = false;  // glass: the denser side is in front
+  bool has_delta = false, transmits_continuously = false, is_caster = false;  // what Bsdf answers, found once
   InterfaceAlbedo interface_albedo;  // plastic, metal
   // Lobes that close the energy balance of a rough interface, see bsdf/albedo.h.
   Rgb base, multiple;                   // share of the diffuse base; of light scattered repeatedly by metal
@@ -68,6 +69,7 @@ struct BsdfParameters {
   float missing_norm[2] = {0, 0};       // 1 / (pi mean missing albedo), outside and inside
   float missing_reflected[2] = {1, 1};  // share of the missing light that stays on its side
   mutable Division division;            // the last that was found: of a vertex's own direction it is asked again
+  float min_alpha_continuous = 0;       // what Bsdf answers
 };
 
 // What is left of a material's textures at one point.
@@ -89,22 +91,23 @@ class Bsdf {
   Bsdf(const Material& material, float relative_ior, const Textured& textured);
   Textured textured() const;
 
-  bool has_delta() const;       // some lobe can only be sampled
-  bool has_continuous() const;  // eval() is not always 0: the point can be connected to and merged at
-  bool chooses_lobe() const {   // sample() reads u_lobe
+  bool has_delta() const { return p_.has_delta; }  // some lobe can only be sampled
+  // eval() is not always 0: the point can be connected to and merged at.
+  bool has_continuous() const { return min_alpha_continuous() > 0; }
+  bool chooses_lobe() const {  // sample() reads u_lobe
     return p_.material->model != MaterialModel::matte && p_.material->model != MaterialModel::mirror;
   }
-  bool transmits() const;       // eval() or sample() can cross the surface
-  bool transmits_continuously() const;  // eval() can
+  bool transmits() const;      // eval() or sample() can cross the surface
+  bool transmits_continuously() const { return p_.transmits_continuously; }  // eval() can
   bool is_solid_dielectric() const { return p_.material->model == MaterialModel::glass; }
   // Scatters by one interface sharper than this GGX alpha and has no diffuse base: what SPPM calls glossy.
   bool is_glossy(float below_alpha) const {
     return p_.alpha > 0 && p_.alpha < below_alpha && is_interface_alone(p_.material->model, p_.metallic);
   }
   // A continuous lobe is so sharp that it casts caustics as a mirror does, and has most of the light.
-  bool is_caster() const;
+  bool is_caster() const { return p_.is_caster; }
   // GGX alpha of the sharpest continuous lobe; 1 for Lambertian ones; 0 where there is no continuous lobe.
-  float min_alpha_continuous() const;
+  float min_alpha_continuous() const { return p_.min_alpha_continuous; }
 
   // All continuous lobes.
   Scattering evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
