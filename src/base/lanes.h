@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -15,6 +16,12 @@ using Float4 = float __attribute__((vector_size(16)));
 using Int4 = int32_t __attribute__((vector_size(16)));
 inline constexpr int lane_count = 4;
 
+// Of four floats in a row, wherever they start.
+inline Float4 four_at(const float* first) {
+  Float4 out;
+  std::memcpy(&out, first, sizeof out);
+  return out;
+}
 inline Float4 abs(Float4 x) { return Float4(Int4(x) & 0x7fffffff); }
 inline Float4 copysign(Float4 size, Float4 sign) {
   return Float4((Int4(size) & 0x7fffffff) | (Int4(sign) & INT32_MIN));

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/lanes.h"
 
 namespace ups {
 namespace {
@@ -46,70 +47,76 @@ Texture::Texture(uint32_t width, uint32_t height, uint32_t channels, std::vector
     min_first_ = std::min(min_first_, texels_[i]);
     if (channels >= 3) coloured_ = coloured_ || texels_[i] != texels_[i + 1] || texels_[i] != texels_[i + 2];
   }
-  if (index_texels()) texels_ = std::vector<float>();  // which, other than {}, gives back the memory
+  by_colour_ = (channels == 3 && number<3>()) || (channels == 4 && number<4>());
+  if (by_colour_ || number<1>()) texels_ = std::vector<float>();  // which, other than {}, gives back the memory
 }
 
-bool Texture::index_texels() {
-  std::array<int16_t, 1024> numbers;  // of the values by a hash of their bits, open addressing
+template <size_t N>
+bool Texture::number() {
+  using Part = std::array<uint32_t, N>;
+  std::array<int16_t, 1024> numbers;  // of the parts by a hash of their bits, open addressing
   numbers.fill(-1);
-  const auto number = [&](float texel) {
-    const auto bits = std::bit_cast<uint32_t>(texel);
-    for (size_t at = bits * 0x9e3779b1u >> 22;; at = (at + 1) % numbers.size()) {
+  std::vector<Part> parts;
+  const auto number_of = [&](const Part& part) {
+    uint32_t hash = 0;
+    for (const uint32_t bits : part) hash = (hash ^ bits) * 0x9e3779b1u;
+    for (size_t at = hash >> 22;; at = (at + 1) % numbers.size()) {
       if (numbers[at] < 0) {
-        numbers[at] = int16_t(values_.size());
-        values_.push_back(texel);
+        numbers[at] = int16_t(parts.size());
+        parts.push_back(part);
       }
-      if (std::bit_cast<uint32_t>(values_[size_t(numbers[at])]) == bits) return size_t(numbers[at]);
+      if (parts[size_t(numbers[at])] == part) return size_t(numbers[at]);
     }
   };
   std::vector<uint8_t> indices;
-  indices.reserve(texels_.size());
-  for (const float t : texels_) {
-    indices.push_back(uint8_t(number(t)));
-    if (values_.size() > 256) return false;
+  indices.reserve(texels_.size() / N);
+  for (size_t i = 0; i < texels_.size(); i += N) {
+    Part part;
+    for (size_t k = 0; k < N; ++k) part[k] = std::bit_cast<uint32_t>(texels_[i + k]);
+    indices.push_back(uint8_t(number_of(part)));
+    if (parts.size() > 256) return false;
   }
+  constexpr size_t stride = N == 1 ? 1 : 4;
+  values_.resize(parts.size() * stride);
+  for (size_t i = 0; i < parts.size(); ++i)
+    for (size_t k = 0; k < N; ++k) values_[i * stride + k] = std::bit_cast<float>(parts[i][k]);
   indices_ = std::move(indices);
   return true;
 }
 
-template <int C>
-void Texture::fetch(const Vec2& uv, const int (&channel)[C], float (&out)[C]) const {
-  if (indices_.empty())
-    fetch(uv, channel, [this](size_t i) { return texels_[i]; }, out);
-  else
-    fetch(uv, channel, [this](size_t i) { return values_[indices_[i]]; }, out);
-}
-
-template <int C, class Texel>
-void Texture::fetch(const Vec2& uv, const int (&channel)[C], const Texel& texel, float (&out)[C]) const {
+// texel(i): what is asked for of the i-th one: a float, a colour or four floats, each with the bits of its own.
+template <class Texel>
+auto Texture::blend(const Vec2& uv, const Texel& texel) const {
   const Tap x = tap(uv.x, width_), y = tap(uv.y, height_);
-  const size_t row0 = size_t(y.first) * width_ * channels_, row1 = size_t(y.second) * width_ * channels_;
-  const size_t i = size_t(x.first) * channels_, j = size_t(x.second) * channels_;
-  for (int c = 0; c < C; ++c) {
-    const int k = channel[c];
-    const float a = texel(row0 + i + k) * (1 - x.fraction) + texel(row0 + j + k) * x.fraction;
-    const float b = texel(row1 + i + k) * (1 - x.fraction) + texel(row1 + j + k) * x.fraction;
-    out[c] = a * (1 - y.fraction) + b * y.fraction;
-  }
+  const size_t row0 = size_t(y.first) * width_, row1 = size_t(y.second) * width_;
+  const auto a = texel(row0 + x.first) * (1 - x.fraction) + texel(row0 + x.second) * x.fraction;
+  const auto b = texel(row1 + x.first) * (1 - x.fraction) + texel(row1 + x.second) * x.fraction;
+  return a * (1 - y.fraction) + b * y.fraction;
 }
 
 Rgb Texture::rgb(const Vec2& uv) const {
   if (channels_ == 1) return Rgb(first(uv));
-  float c[3];
-  fetch(uv, {0, 1, 2}, c);
-  return {c[0], c[1], c[2]};
+  if (by_colour_) {
+    const Float4 c = blend(uv, [this](size_t i) { return four_at(colour(i)); });
+    return {c[0], c[1], c[2]};
+  }
+  const auto of = [&](const auto& value) {
+    return blend(uv, [&](size_t i) {
+      const size_t at = i * channels_;
+      return Rgb(value(at), value(at + 1), value(at + 2));
+    });
+  };
+  return indices_.empty() ? of([this](size_t i) { return texels_[i]; })
+                          : of([this](size_t i) { return values_[indices_[i]]; });
 }
 
-float Texture::first(const Vec2& uv) const {
-  float c[1];
-  fetch(uv, {0}, c);
-  return c[0];
+float Texture::channel(const Vec2& uv, uint32_t k) const {
+  if (by_colour_) return blend(uv, [&](size_t i) { return colour(i)[k]; });
+  if (indices_.empty()) return blend(uv, [&](size_t i) { return texels_[i * channels_ + k]; });
+  return blend(uv, [&](size_t i) { return values_[indices_[i * channels_ + k]]; });
 }
 
-float Texture::last(const Vec2& uv) const {
-  float c[1];
-  fetch(uv, {int(channels_) - 1}, c);
-  return c[0];
-}
+float Texture::first(const Vec2& uv) const { return channel(uv, 0); }
+float Texture::last(const Vec2& uv) const { return channel(uv, channels_ - 1); }
 
 }  // namespace ups

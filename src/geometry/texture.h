@@ -20,20 +20,25 @@ class Texture {
   uint32_t height() const { return height_; }
   uint32_t channels() const { return channels_; }
   size_t texel_count() const { return size_t(width_) * height_ * channels_; }  // all channels
-  float texel(size_t i) const { return indices_.empty() ? texels_[i] : values_[indices_[i]]; }  // as they were given
+  float texel(size_t i) const {  // as they were given
+    if (indices_.empty()) return texels_[i];
+    return by_colour_ ? colour(i / channels_)[i % channels_] : values_[indices_[i]];
+  }
   size_t bytes() const {
     return sizeof *this + (texels_.capacity() + values_.capacity()) * sizeof(float) + indices_.capacity();
   }
 
  private:
-  template <int C, class Texel>
-  void fetch(const Vec2& uv, const int (&channel)[C], const Texel& texel, float (&out)[C]) const;
-  template <int C> void fetch(const Vec2& uv, const int (&channel)[C], float (&out)[C]) const;
-  bool index_texels();  // false where there are too many values
+  template <class Texel> auto blend(const Vec2& uv, const Texel& texel) const;
+  float channel(const Vec2& uv, uint32_t k) const;
+  const float* colour(size_t texel) const { return &values_[4 * size_t(indices_[texel])]; }
+  template <size_t N> bool number();  // parts of N floats; false where too many of them differ
   uint32_t width_, height_, channels_;
-  // Of no more than 256 different values, as those of 8-bit files are, numbers of bytes that stay in the caches.
+  // Of no more than 256 different values, as those of 8-bit files are, numbers of bytes that stay in the caches. Of no
+  // more than 256 different colours, as of tiles, a number for all channels; four values each.
   std::vector<float> texels_, values_;
   std::vector<uint8_t> indices_;
+  bool by_colour_ = false;
   float min_first_ = 1;
   bool coloured_ = false;
 };

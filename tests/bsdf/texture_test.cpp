@@ -32,6 +32,35 @@ TEST(Texture, AnyNumberOfDifferentValues) {
   }
 }
 
+void check_colours(uint32_t colours, uint32_t channels, bool few_values) {
+  std::vector<float> texels, of_channel[4];
+  for (uint32_t i = 0; i < 1024; ++i)
+    for (uint32_t k = 0; k < channels; ++k) {
+      const uint32_t colour = i * 7 % colours, value = few_values ? colour >> 5 * (k % 2) & 31 : colour * (k + 1);
+      texels.push_back(float(value) / 3 - 1);
+      of_channel[k].push_back(texels.back());
+    }
+  const Texture whole(32, 32, channels, texels), red(32, 32, 1, of_channel[0]), green(32, 32, 1, of_channel[1]),
+      blue(32, 32, 1, of_channel[2]), last(32, 32, 1, of_channel[channels - 1]);
+  for (uint32_t i = 0; i < texels.size(); ++i) ASSERT_EQ(whole.texel(i), texels[i]) << colours;
+  for (float u = -0.9f; u < 2; u += 0.173f)
+    for (float v = -0.9f; v < 2; v += 0.137f) {
+      const Rgb c = whole.rgb({u, v});
+      ASSERT_EQ(c.r, red.first({u, v})) << colours;
+      ASSERT_EQ(c.g, green.first({u, v})) << colours;
+      ASSERT_EQ(c.b, blue.first({u, v})) << colours;
+      ASSERT_EQ(whole.first({u, v}), red.first({u, v})) << colours;
+      ASSERT_EQ(whole.last({u, v}), last.first({u, v})) << colours;
+    }
+}
+
+// Of few different colours those are stored, of few values in many colours these, with the same bits.
+TEST(Texture, ColoursAreThoseOfTheirChannels) {
+  for (const uint32_t colours : {1u, 255u, 256u, 257u, 1024u})
+    for (const uint32_t channels : {3u, 4u})
+      for (const bool few_values : {false, true}) check_colours(colours, channels, few_values);
+}
+
 TEST(Texture, RepeatsInBothDirections) {
   const Texture t(3, 2, 1, {0, 1, 2, 3, 4, 5});
   for (float u : {0.1f, 0.4f, 0.99f})
