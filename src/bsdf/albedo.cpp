@@ -300,7 +300,8 @@ float InterfaceAlbedo::coat(float mu) const {
   const float fresnel = fresnel_dielectric(mu, ior_);
   if (!(alpha_ > 0)) return fresnel;
   const Position r{row_, row_fraction_}, m = mu_position(mu, alpha_);
-  const float missing = mix(tables().coat[table_].at(r, m), tables().coat[table_ + 1].at(r, m), table_fraction_);
+  const Table* table = &tables().coat[size_t(table_)];
+  const float missing = mix(table[0].at(r, m), table[1].at(r, m), table_fraction_);
   return std::clamp(fresnel * (1 - missing * envelope(mu, alpha_)), 0.0f, 1.0f);
 }
 float InterfaceAlbedo::missing(float mu) const {
