@@ -34,6 +34,7 @@ EmitterSet::EmitterSet(std::vector<std::shared_ptr<const Emitter>> emitters, con
     const Emitter& e = *emitters_[i];
     flux.push_back(std::max(0.0, e.flux_lm()));
     const float share = exposed.empty() ? 1.0f : std::max(exposed[i], least_exposed);
+    kinds_.push_back({e.is_delta(), e.is_directional()});
     have_extent_ = have_extent_ || !e.is_delta();
     if (e.is_direct()) direct[e.is_directional()].push_back({e.outline(), flux.back(), share, uint32_t(i)});
   }

@@ -25,6 +25,9 @@ class EmitterSet {
   size_t size() const { return emitters_.size(); }
   const Emitter& operator[](size_t i) const { return *emitters_[i]; }
   const std::shared_ptr<const Emitter>& shared(size_t i) const { return emitters_[i]; }
+  // As each says of itself; walks ask at every vertex.
+  bool is_delta(size_t i) const { return kinds_[i].delta; }
+  bool is_directional(size_t i) const { return kinds_[i].directional; }
   double flux_lm() const { return flux_lm_; }
   size_t bytes() const;
 
@@ -41,14 +44,18 @@ class EmitterSet {
   }
   // Among those of its kind.
   float direct_probability(const Receiver& receiver, size_t i) const {
-    return direct_[emitters_[i]->is_directional()].probability(receiver, i);
+    return direct_[is_directional(i)].probability(receiver, i);
   }
   bool has_direct(bool far) const { return has_direct_[far]; }
   // Whether next-event estimation needs a place on any of them.
   bool have_extent() const { return have_extent_; }
 
  private:
+  struct Kind {
+    bool delta, directional;
+  };
   std::vector<std::shared_ptr<const Emitter>> emitters_;
+  std::vector<Kind> kinds_;
   DiscreteDistribution emission_;
   double flux_lm_ = 0;
   LightTree direct_[2];  // near, far

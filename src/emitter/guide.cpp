@@ -294,7 +294,7 @@ float EmissionGuide::probability(const EmitterSet& emitters, size_t i) const {
 bool EmissionGuide::sample(const EmitterSet& emitters, size_t i, const Vec2& u_position, const Vec2& u_direction,
                            EmissionSample& out, Vec2& square) const {
   const Emitter& e = emitters[i];
-  const bool directional = e.is_directional();
+  const bool directional = emitters.is_directional(i);
   square = directional ? u_position : u_direction;
   const float density = resolution(i) > 0 ? warp(histograms_[i], square) : 1;
   if (!e.sample_emission(directional ? square : u_position, directional ? u_direction : square, out)) return false;
@@ -311,7 +311,7 @@ float EmissionGuide::factor(const EmitterSet& emitters, size_t i, const Vec3& p,
 
 void EmissionGuide::apply(const EmitterSet& emitters, size_t i, const Vec3& direction, DirectSample& sample) const {
   const float f = factor(emitters, i, sample.p, sample.primitive, direction);
-  (emitters[i].is_directional() ? sample.pdf_position_a : sample.pdf_direction_w) *= f;
+  (emitters.is_directional(i) ? sample.pdf_position_a : sample.pdf_direction_w) *= f;
 }
 
 size_t EmissionGuide::histogram_count() const {

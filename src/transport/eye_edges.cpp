@@ -36,7 +36,7 @@ void EyeWalk::offer(const Contribution& c, Drop drop, double share) {
     return test_edge(c, drop, share);
   const double size = luminance(c.value) * share * c.weight(in_, 1);
   if (!std::isfinite(size)) return work_.drop(drop, rng_.address(), place_of(c));
-  const bool far = scene_.emitters.has_direct(true) && scene_.emitters[c.emitter].is_directional();
+  const bool far = scene_.emitters.has_direct(true) && scene_.emitters.is_directional(c.emitter);
   if (size > 0) edges_.push_back({c, *c.media, drop, share, size, far});
   if (edges_.size() >= most_waiting) test_edges();  // of a path of many hundred vertices
 }

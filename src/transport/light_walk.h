@@ -165,10 +165,10 @@ class LightWalk : Subpath<LightWalk, TransportMode::importance> {
   mis::LightState first_state(float chosen, const Vec3& reference, double goes_on, float cos_in, double d2,
                               double pass) const {
     const double choose = double(chosen) / emit_probability_;
-    if (emitter_->is_directional())
+    if (scene_.emitters.is_directional(emitter_index_))
       return mis::light_first_directional(counts_, choose, 1.0 / (start_.pdf_position_a * goes_on), cos_in, pass);
     const double pdf_direction_w = start_.pdf_direction_w * goes_on;
-    if (emitter_->is_delta())
+    if (scene_.emitters.is_delta(emitter_index_))
       return mis::light_first(counts_, choose, pdf_direction_w, d2, cos_in, pass, false, 1.0, 1.0);
     EmitterHit hit;
     const uint32_t primitive = start_.primitive == EmissionSample::invalid ? 0 : start_.primitive;

@@ -26,11 +26,10 @@ struct DirectDensities {
 };
 DirectDensities direct_densities(const Snapshot& scene, const EmissionGuide& guide, const EmitterSet::Choice& choice,
                                  const DirectSample& s, double cos_1) {
-  const Emitter& e = scene.emitters[choice.index];
   const double emit = guide.probability(scene.emitters, choice.index);
   const double d2 = double(s.distance) * s.distance;
-  if (e.is_directional()) return {choice.probability, emit, s.pdf_position_a * cos_1};
-  if (e.is_delta()) return {choice.probability, emit, s.pdf_direction_w * cos_1 / d2};
+  if (scene.emitters.is_directional(choice.index)) return {choice.probability, emit, s.pdf_position_a * cos_1};
+  if (scene.emitters.is_delta(choice.index)) return {choice.probability, emit, s.pdf_direction_w * cos_1 / d2};
   return {double(choice.probability) * s.pdf_nee_a, emit * s.pdf_position_a, s.pdf_direction_w * cos_1 / d2};
 }
 
@@ -78,7 +77,6 @@ namespace {
 // a walk from there is reflected to the emitter.
 Found light_of(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, const Arrival& arrival,
                const EmitterSet::Choice& choice, DirectSample s, const Vec3& leaves, uint32_t edges, double goes_on) {
-  const Emitter& emitter = in.scene.emitters[choice.index];
   Vec3 local;
   if (!scatters(eye, s.wi, local)) return {};
   const Scattering f = eye.evaluate(local, TransportMode::radiance);
@@ -94,7 +92,7 @@ Found light_of(const Iteration& in, const mis::Counts& n, const EyeEnd& eye, con
     if (from_emitter.sum() > 0) in.plan.guide.apply(in.scene.emitters, choice.index, leaves, s);
     const double cos_1 = eye.cosine(arrival.surface, s.wi), d2 = double(s.distance) * s.distance;
     const DirectDensities d = direct_densities(in.scene, in.plan.guide, choice, s, cos_1);
-    const double pb_0 = emitter.is_delta() ? 0.0 : f.pdf * goes_on * s.cos_0 / d2;
+    const double pb_0 = in.scene.emitters.is_delta(choice.index) ? 0.0 : f.pdf * goes_on * s.cos_0 / d2;
     c.others = mis::others_of_light_sample(from_emitter, n, pb_0, d.pn_0, d.pf_0, d.pf_1);
   }
   c.from = arrival.surface.ray_origin(s.wi);
