@@ -33,7 +33,7 @@ int axis_of(const photometry::Opening& opening) {
 }
 
 // Which of the weights u falls on; u becomes a number of its own again. -1: all are 0.
-int choose(const double (&weights)[3], float& u) {
+int choose(const std::array<double, 3>& weights, float& u) {
   const double total = weights[0] + weights[1] + weights[2];
   if (!(total > 0)) return -1;
   double rest = double(u) * total;
@@ -168,7 +168,8 @@ void LuminousBody::sample_face(int axis, double sign, const Vec2& u, Point& out)
 }
 
 // Of a box's faces, that the reference is in front of: their solid angles.
-void LuminousBody::face_weights(const Vec3d& reference, double (&weights)[3]) const {
+std::array<double, 3> LuminousBody::face_weights(const Vec3d& reference) const {
+  std::array<double, 3> weights;
   const bool far = length(reference) > far_away * circumscribed_radius();
   for (int k = 0; k < 3; ++k) {
     const double height = std::abs(at(reference, k)) - at(half_, k);
@@ -178,6 +179,13 @@ void LuminousBody::face_weights(const Vec3d& reference, double (&weights)[3]) co
                  : far         ? face_area(k) * height / length(reference)
                                : rectangle_solid_angle(-hx - x, hx - x, -hy - y, hy - y, height);
   }
+  return weights;
+}
+
+double LuminousBody::box_pdf(const Vec3d& reference, const std::array<double, 3>& weights, const Vec3d& n) const {
+  const int face = n.x != 0 ? 0 : n.y != 0 ? 1 : 2;
+  const double total = weights[0] + weights[1] + weights[2];
+  return weights[face] > 0 && at(reference, face) * at(n, face) > 0 ? weights[face] / (total * face_area(face)) : 0;
 }
 
 double LuminousBody::mantle_seen(const Vec3d& half, const Vec3d& w) {
@@ -214,6 +222,11 @@ double LuminousBody::mantle_pdf(const Vec3d& reference, const Vec3d& p) const {
   const double cosine = (px * x + py * y) / (radius * r), largest = std::sqrt((r - 1) * (r + 1)) / r;
   if (!(largest > 0) || !(cosine > 0)) return 0;
   return cosine / (2 * largest * 2 * half_.z * mantle_stretch(px / radius, py / radius));
+}
+
+double LuminousBody::cylinder_pdf(const Vec3d& reference, double share, const Vec3d& p, const Vec3d& n) const {
+  if (n.z == 0) return share * mantle_pdf(reference, p);
+  return reference.z * n.z > half_.z ? (1 - share) / face_area(2) : 0;
 }
 
 void LuminousBody::place_on_ball(const Vec3d& q, Point& out) const {
@@ -258,7 +271,7 @@ bool LuminousBody::sample_seen_along(const Vec3d& w, Vec2 u, Point& out) const {
       sample_face(2, w.z, u, out);
       break;
     case Kind::box: {
-      const double weights[3] = {face_area(0) * std::abs(w.x), face_area(1) * std::abs(w.y), ends};
+      const std::array<double, 3> weights = {face_area(0) * std::abs(w.x), face_area(1) * std::abs(w.y), ends};
       const int face = choose(weights, u.x);
       if (face < 0) return false;
       sample_face(face, at(w, face), u, out);
@@ -285,14 +298,14 @@ bool LuminousBody::sample_seen_from(const Vec3d& reference, Vec2 u, Point& out) 
   switch (kind_) {
     case Kind::rectangle:
     case Kind::ellipse:
-      sample_face(2, reference.z, u, out);
+      sample_face(2, reference.z, u, out), out.pdf_a = 1 / area_;
       break;
     case Kind::box: {
-      double weights[3];
-      face_weights(reference, weights);
+      const std::array<double, 3> weights = face_weights(reference);
       const int face = choose(weights, u.x);
       if (face < 0) return false;
       sample_face(face, at(reference, face), u, out);
+      out.pdf_a = box_pdf(reference, weights, out.n);
       break;
     }
     case Kind::cylinder: {
@@ -302,28 +315,23 @@ bool LuminousBody::sample_seen_from(const Vec3d& reference, Vec2 u, Point& out) 
         place_on_mantle(reference, (2 * double(u.x) - 1) * std::sqrt((r - 1) * (r + 1)) / r, u.y, out);
       else
         sample_face(2, reference.z, u, out);
+      out.pdf_a = cylinder_pdf(reference, share, out.p, out.n);
       break;
     }
     case Kind::ellipsoid:
       if (!sample_cap(reference, u, out)) return false;
+      out.pdf_a = cap_pdf(reference, out.p);
       break;
   }
-  out.pdf_a = pdf_seen_from(reference, out.p, out.n);
   return out.pdf_a > 0;
 }
 
 double LuminousBody::pdf_seen_from(const Vec3d& reference, const Vec3d& p, const Vec3d& n) const {
   switch (kind_) {
-    case Kind::box: {
-      double weights[3];
-      face_weights(reference, weights);
-      const int face = n.x != 0 ? 0 : n.y != 0 ? 1 : 2;
-      const double total = weights[0] + weights[1] + weights[2];
-      return weights[face] > 0 && at(reference, face) * at(n, face) > 0 ? weights[face] / (total * face_area(face)) : 0;
-    }
+    case Kind::box:
+      return box_pdf(reference, face_weights(reference), n);
     case Kind::cylinder:
-      if (n.z == 0) return mantle_share(reference) * mantle_pdf(reference, p);
-      return reference.z * n.z > half_.z ? (1 - mantle_share(reference)) / face_area(2) : 0;
+      return cylinder_pdf(reference, mantle_share(reference), p, n);
     case Kind::ellipsoid:
       return cap_pdf(reference, p);
     default:

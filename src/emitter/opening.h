@@ -4,6 +4,8 @@
 // The body's own frame, metres: centred on the origin, a flat opening in the xy-plane, a cylinder along z. turned()
 // makes it from the luminaire's frame. Doubles, so that small bodies far away keep their shape.
 #pragma once
+#include <array>
+
 #include "base/frame.h"
 #include "photometry/photometry.h"
 
@@ -51,7 +53,10 @@ class LuminousBody {
   // The parts that an opening is put together from: faces across an axis, the mantle of a cylinder, the ball.
   double face_area(int axis) const;
   void sample_face(int axis, double sign, const Vec2& u, Point& out) const;
-  void face_weights(const Vec3d& reference, double (&weights)[3]) const;
+  std::array<double, 3> face_weights(const Vec3d& reference) const;
+  // pdf_seen_from() by these weights, and of a cylinder by its mantle's share.
+  double box_pdf(const Vec3d& reference, const std::array<double, 3>& weights, const Vec3d& n) const;
+  double cylinder_pdf(const Vec3d& reference, double share, const Vec3d& p, const Vec3d& n) const;
   static double mantle_seen(const Vec3d& half, const Vec3d& w);  // its projected area
   double mantle_share(const Vec3d& reference) const;
   double mantle_stretch(double c, double s) const;
