@@ -39,12 +39,15 @@ class Stream {
   Stream(Kind kind, uint32_t index = 0) : word_(index * kinds + kind) {}
   Kind kind() const { return Kind(word_ % kinds); }
   uint32_t index() const { return word_ / kinds; }
+  static uint64_t key_of(uint64_t seed) { return hash_combine(seed, 0); }
   std::array<uint32_t, 4> numbers(uint64_t seed, uint32_t a, uint32_t b, uint32_t c) const {
-    const uint64_t key = hash_combine(seed, 0);
+    return numbers_of_key(key_of(seed), a, b, c);
+  }
+  std::array<uint32_t, 4> numbers_of_key(uint64_t key, uint32_t a, uint32_t b, uint32_t c) const {
     return philox({a, b, c, word_}, {uint32_t(key), uint32_t(key >> 32)});
   }
   uint64_t scramble(uint64_t seed, uint64_t key) const {
-    return hash_combine(hash_combine(hash_combine(seed, 0), word_), key);
+    return hash_combine(hash_combine(key_of(seed), word_), key);
   }
 
  private:
@@ -64,7 +67,7 @@ class PathSampler {
   // iteration, path: address of the independent numbers beyond the stratified ones. A sequence has 2^32 points, then
   // another begins.
   PathSampler(uint64_t seed, Stream stream, uint64_t key, uint64_t index, uint32_t iteration, uint32_t path)
-      : seed_(seed),
+      : key_(Stream::key_of(seed)),
         stream_(stream),
         scramble_(stream.scramble(seed, index >> 32 ? hash_combine(key, index >> 32) : key)),
         index_(uint32_t(index)),
@@ -80,7 +83,7 @@ class PathSampler {
   double roulette() { return 0x1p-32 * (stratified(roulette_dimension) + double(get(1, Slot::roulette))); }
   // Beyond those of the slots, for what takes as many as chance has it: k < 2^12.
   Vec2 more(uint32_t vertex, uint32_t k) const {
-    const auto numbers = stream_.numbers(seed_, iteration_, path_, ~(vertex << 12 | k));
+    const auto numbers = stream_.numbers_of_key(key_, iteration_, path_, ~(vertex << 12 | k));
     return {to_unit_float(numbers[0]), to_unit_float(numbers[1])};
   }
   Vec2 position(uint32_t vertex) { return {get(vertex, Slot::position_x), get(vertex, Slot::position_y)}; }
@@ -93,7 +96,7 @@ class PathSampler {
     if (dimension >= 0) return stratified(dimension);
     const uint32_t address = vertex * 3 + uint32_t(slot) / 4;
     if (address != cached_address_) {
-      cached_ = stream_.numbers(seed_, iteration_, path_, address);
+      cached_ = stream_.numbers_of_key(key_, iteration_, path_, address);
       cached_address_ = address;
     }
     return cached_[uint32_t(slot) % 4];
@@ -109,7 +112,7 @@ class PathSampler {
     return vertex < 3 ? table[vertex][int(slot)] : -1;
   }
 
-  uint64_t seed_;
+  uint64_t key_;  // Philox's
   Stream stream_;
   uint64_t scramble_;
   uint32_t index_, iteration_, path_;
