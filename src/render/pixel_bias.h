@@ -29,9 +29,9 @@ class PixelBias {
 
   float mean(uint32_t pixel, uint32_t visits) const { return visits ? sums_[pixel] / float(visits) : 0; }
   Spread own(uint32_t pixel, uint32_t visits) const;
-  // Means over those pixels of a square that have merged photons.
+  // Means over those pixels of a square that have merged photons; where none has, there is no bias.
   struct OfSquare {
-    Spread bias{};
+    Spread bias{0, 0};
     double light = 0;
   };
   // light: luminance, or illuminance; of whole passes.

@@ -72,9 +72,33 @@ TEST(PixelBias, TellsWhatMergingMakes) {
     ASSERT_TRUE(sums.relative_errors(64, 0, errors, together));
     const double mean = std::accumulate(errors.begin(), errors.end(), 0.0) / double(errors.size());
     EXPECT_NEAR(together.mean().error() / mean, 1, 1e-4);
+    if (merged == 0) {
+      EXPECT_NEAR(mean, 2.131 * 0.1 / 8, 0.002) << "as if there were no photons";
+    }
     EXPECT_NEAR(together.mean().merged, merged, 0.25) << merged;
     EXPECT_LT(together.mean().bias, 0.2f * together.mean().noise);
     EXPECT_EQ(together.mean().visits, 64u);
+  }
+}
+
+// Where no photon was merged there is no bias, and nothing is added for it: neither to luminance nor to illuminance.
+TEST(PixelBias, AddsNothingWhereNothingWasMerged) {
+  Rig rig;
+  ImageSums image(rig.camera, rig.plan, 1);
+  IlluminanceSums illuminance(rig.camera, rig.plan, 1);
+  std::vector<PixelIlluminance> lx(rig.camera.pixel_count());
+  std::mt19937 random(4);
+  std::normal_distribution<float> noise(0.0f, 0.01f);
+  for (uint32_t i = 0; i < 64; ++i) {
+    for (size_t p = 0; p < lx.size(); ++p) rig.tally.pixels[0][p] = Rgb(lx[p].lx = 1 + noise(random));
+    image.add(i, rig.tally, 0);
+    illuminance.add(i, lx, true);
+  }
+  const ImageReading seen = image.read(64, 0);
+  const IlluminanceReading lit = illuminance.read(std::vector<uint32_t>(lx.size(), 64), 64, 0);
+  for (size_t p = 0; p < lx.size(); ++p) {
+    EXPECT_NEAR(seen.error_bound[p], 2.131f * seen.standard_error_rgb[3 * p], 1e-5);
+    EXPECT_NEAR(lit.error_bound[p], 2.131f * lit.standard_error[p], 1e-5);
   }
 }
 
