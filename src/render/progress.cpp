@@ -53,7 +53,10 @@ void ProgressEstimate::update() {
   };
   if (limits_.time_s > 0) consider(limits_.time_s - elapsed_s_);
   if (limits_.iterations > 0 && iterations_ > 0) consider(seconds * (limits_.iterations - iterations_));
-  if (end_ > 0 && iterations_ > 0 && seconds * end_ < prediction_horizon_s) consider(seconds * (end_ - iterations_));
+  // Where it has passed before its look was taken, that may still tell of another.
+  const bool is_ahead = end_ > iterations_ || target_is_met();
+  if (end_ > 0 && is_ahead && iterations_ > 0 && seconds * end_ < prediction_horizon_s)
+    consider(seconds * (end_ - iterations_));
   remaining_s_ = remaining;
   if (remaining >= 0 && elapsed_s_ > 0) fraction_ = std::max(fraction_, elapsed_s_ / (elapsed_s_ + remaining));
 }

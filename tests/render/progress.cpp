@@ -61,6 +61,24 @@ TEST(Progress, TellsATargetThatIsMetAtOnce) {
 
 // Without noise in the looks the end is known from the first one, to the steps between looks: 1.25, and the deviation
 // that looks are taken to have. From there on the time left falls by what passes, and never rises.
+// Looks may be late: an expected end that passes before its look is no end yet.
+TEST(Progress, AnEndThatPassesBeforeItsLookIsNoneYet) {
+  ProgressEstimate estimate({0, 0, 0.05});
+  Prediction prediction(UPS_CRITERION_WORST, 2.0 / 3);
+  double n = 1, end = 0;
+  for (; n < 200; ++n) {
+    estimate.add_iterations(n, n * second_an_iteration);
+    if (n < estimate.next_look()) continue;
+    prediction.add_look({n, n * second_an_iteration, 1 / std::sqrt(n)}, {});
+    estimate.add_look(n, 1 / std::sqrt(n), &prediction);
+    end = n + estimate.remaining_s() / second_an_iteration;
+  }
+  ASSERT_GT(end, n);
+  estimate.add_iterations(std::ceil(end) + 10, (std::ceil(end) + 10) * second_an_iteration);
+  EXPECT_EQ(estimate.remaining_s(), -1);
+  EXPECT_LT(estimate.fraction(), 1);
+}
+
 TEST(Progress, TimeLeftFallsAsTimePasses) {
   for (const double target : {0.1, 0.03, 0.01}) {
     const std::vector<Told> all = run({0, 0, target}, 0.5, 0, 1);
