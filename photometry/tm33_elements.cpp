@@ -281,10 +281,14 @@ void Tm33Reader::read_area(int face) {
   area.line = xml_.line(), area.face = face;
   double &x = area.size_m[0], &y = area.size_m[1];
   children([&](std::string_view name) {
-    if (name == "Length" || name == "LengthOffset")
-      (name == "Length" ? y : area.offset_m[1]) = number();
-    else if (name == "Width" || name == "WidthOffset")
-      (name == "Width" ? x : area.offset_m[0]) = number();
+    if (name == "Length")  // gone once the number is read, as all names
+      y = number();
+    else if (name == "LengthOffset")
+      area.offset_m[1] = number();
+    else if (name == "Width")
+      x = number();
+    else if (name == "WidthOffset")
+      area.offset_m[0] = number();
     else if (name == "Height")
       area.size_m[2] = number();
     else if (name == "HeightOffset" && face != 2)  // top and bottom are one sheet

@@ -242,6 +242,28 @@ TEST(Tm33, TypesAAndB) {
   EXPECT_NEAR(p.distribution.eval(std::cos(h) * std::sin(v), -std::sin(h), -std::cos(h) * std::cos(v)), 134.5, 1e-9);
 }
 
+std::string with_prefix(std::string text, const std::string& prefix) {
+  for (size_t at = 0; (at = text.find('<', at)) != text.npos;) {
+    at += text[at + 1] == '/' ? 2 : 1;
+    if (text[at] != '?') text.insert(at, prefix);
+  }
+  return text;
+}
+
+// However long a prefix makes their names.
+TEST(Tm33, OpeningsWithAnyPrefix) {
+  const std::string lamp = file(emitter(
+      values({}, 0, 0), "<EmissionAreas><BottomFace><BottomArea><Length>1.2</Length><Width>0.3</Width>"
+                        "<LengthOffset>0</LengthOffset><WidthOffset>0</WidthOffset></BottomArea></BottomFace>"
+                        "</EmissionAreas>"));
+  for (const char* prefix : {"", "tm:", "luminaire:", "photometry:", "a_prefix_of_more_than_thirty_letters:"}) {
+    const photometry::Opening opening = read(with_prefix(lamp, prefix)).opening;
+    EXPECT_EQ(opening.shape, OpeningShape::rectangle) << prefix;
+    EXPECT_FLOAT_EQ(opening.size_m[0], 0.3f) << prefix;
+    EXPECT_FLOAT_EQ(opening.size_m[1], 1.2f) << prefix;
+  }
+}
+
 TEST(Tm33, Openings) {
   const auto opening = [](const std::string& areas) {
     return read(file(emitter(values({}, 0, 0), "<EmissionAreas>" + areas + "</EmissionAreas>"))).opening;
