@@ -10,13 +10,16 @@
 
 namespace ups::api {
 
-// struct_size and one field; whole 4-byte units, as all fields are; no more than any version will need.
-inline uint32_t checked_size(const void* data, const char* argument) {
+// struct_size and one field; a multiple of the struct's alignment, as each sizeof is, so that no pointer is cut in two;
+// no more than any version will need.
+template <class Struct>
+uint32_t checked_size(const Struct* data, const char* argument) {
   uint32_t size;
   std::memcpy(&size, data, sizeof size);
-  if (size < 8 || size > 4096 || size % 4 != 0)
+  if (size < 8 || size > 4096 || size % alignof(Struct) != 0)
     fail_argument(std::string(argument) + "->struct_size is " + std::to_string(size) +
-                  "; it must be the struct's sizeof, which is a multiple of 4 from 8 to 4096");
+                  "; it must be the struct's sizeof, which is a multiple of " + std::to_string(alignof(Struct)) +
+                  " from 8 to 4096");
   return size;
 }
 

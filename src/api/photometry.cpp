@@ -129,10 +129,10 @@ std::string text_of(const photometry::Photometry& data, ups_profile_text topic) 
     case UPS_PROFILE_TEXT_FORMAT:
       return data.format;
     case UPS_PROFILE_TEXT_TILT_FILE:
-      return data.tilt_file_name;
+      return as_line(data.tilt_file_name);
     case UPS_PROFILE_TEXT_KEYWORDS: {
       std::string text;
-      for (const photometry::Keyword& k : data.keywords) text += k.name + "=" + as_line(k.value) + "\n";
+      for (const photometry::Keyword& k : data.keywords) text += as_line(k.name) + "=" + as_line(k.value) + "\n";
       return text;
     }
     case UPS_PROFILE_TEXT_TILT_TABLE: {

@@ -65,13 +65,26 @@ TEST(StructSize, InitWritesNoMoreThanItIsTold) {
 TEST_F(Api, ShorterStructsTakeDefaultsForTheRest) {
   // A caller whose material ends after the reflectance; what follows in memory is poison.
   auto d = make(&ups_material_desc_init);
-  std::memset(reinterpret_cast<char*>(&d) + 20, 0xff, sizeof d - 20);
-  d.struct_size = 20;
+  std::memset(reinterpret_cast<char*>(&d) + 24, 0xff, sizeof d - 24);
+  d.struct_size = 24;
   ups_material_id id{};
   EXPECT_OK(ups_scene_add_material(scene, &d, &id));
   EXPECT_GT(id.v, material.v);
   d.struct_size = sizeof d;
   EXPECT_EQ(ups_scene_add_material(scene, &d, &id), UPS_ERROR_INVALID_ARGUMENT);
+}
+
+// Half of a pointer would be read as one.
+TEST_F(Api, AStructMayNotEndInsideAPointer) {
+  auto luminaire = make(&ups_luminaire_desc_init);
+  luminaire.struct_size = 12;
+  ups_luminaire_id id{};
+  expect_error(ups_scene_add_luminaire(scene, &luminaire, &id), UPS_ERROR_INVALID_ARGUMENT,
+               {"struct_size is 12", "a multiple of 8"});
+  auto mesh = make(&ups_mesh_desc_init);
+  mesh.struct_size = 20;
+  ups_mesh_id mesh_id{};
+  expect_error(ups_scene_add_mesh(scene, &mesh, &mesh_id), UPS_ERROR_INVALID_ARGUMENT, {"struct_size is 20"});
 }
 
 TEST_F(Api, FieldsOfALaterVersionMustBeZero) {

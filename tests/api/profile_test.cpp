@@ -61,6 +61,22 @@ class Profile : public Api {
   ups_profile* read = nullptr;
 };
 
+// A NUL in a file ends no text early.
+TEST_F(Profile, NamesHaveNoNulInTheirTexts) {
+  std::string text = ies_with_tilt;
+  text.replace(text.find("MANUFAC"), 7, std::string("MANU\0AC", 7));
+  text.replace(text.find("hid.tlt"), 7, std::string("hid\0tlt", 7));
+  parse(desc(text));
+  for (const auto& [topic, expected] : {std::pair(UPS_PROFILE_TEXT_KEYWORDS, "OTHER=second\n"),
+                                        std::pair(UPS_PROFILE_TEXT_TILT_FILE, "tlt")}) {
+    char told[256];
+    size_t needed;
+    EXPECT_OK(ups_profile_get_text(read, topic, told, sizeof told, &needed));
+    EXPECT_EQ(needed, std::strlen(told) + 1);
+    EXPECT_TRUE(std::string(told).ends_with(expected)) << told;
+  }
+}
+
 TEST_F(Profile, TiltFileIsNamedReadAndApplied) {
   auto d = desc(ies_with_tilt);
   const double flux = parse(d).flux_lm;

@@ -124,7 +124,12 @@ TEST_F(Images, ExrRefusesWhatCannotBeWritten) {
     EXPECT_EQ(ups_exr_write(path("a.exr").c_str(), 1, 1, twice, 1, reserved, 1), UPS_ERROR_INVALID_ARGUMENT) << name;
     EXPECT_NE(std::string(ups_exr_last_error()).find(std::string(name) + "' is OpenEXR's own"), std::string::npos);
   }
-  EXPECT_EQ(ups_exr_write(path("no/folder/a.exr").c_str(), 1, 1, twice, 1, nullptr, 0), UPS_ERROR_IO);
+  const std::string longest(255, 'a'), longer = longest + "b";  // OpenEXR would cut it
+  const ups_exr_channel named[] = {{longest.c_str(), &value, 0, 0}, {longer.c_str(), &value, 0, 0}};
+  EXPECT_EQ(ups_exr_write(path("a.exr").c_str(), 1, 1, named, 2, nullptr, 0), UPS_ERROR_INVALID_ARGUMENT);
+  const ups_exr_attribute attribute[] = {{longer.c_str(), "x"}};
+  EXPECT_EQ(ups_exr_write(path("a.exr").c_str(), 1, 1, named, 1, attribute, 1), UPS_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(ups_exr_write(path("no/folder/a.exr").c_str(), 1, 1, named, 1, nullptr, 0), UPS_ERROR_IO);
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 

@@ -87,12 +87,13 @@ void write_defaults(Desc* desc, uint32_t struct_size, Desc defaults) {
     std::memset(reinterpret_cast<char*>(desc) + sizeof(Desc), 0, struct_size - sizeof(Desc));
 }
 
-// As of the core: struct_size and one field; whole 4-byte units, as all fields are; no more than any version will need.
-inline void check_size(uint32_t size, const char* advice) {
-  if (size < 8 || size > 4096 || size % 4 != 0)
+// As of the core: struct_size and one field; a multiple of the struct's alignment; no more than any version will need.
+template <class Struct>
+void check_size(uint32_t size, const char* advice) {
+  if (size < 8 || size > 4096 || size % alignof(Struct) != 0)
     throw Error(UPS_ERROR_INVALID_ARGUMENT, "struct_size is " + std::to_string(size) +
-                                                "; it must be the struct's sizeof, a multiple of 4 from 8 to 4096: " +
-                                                advice);
+                                                "; it must be the struct's sizeof, a multiple of " +
+                                                std::to_string(alignof(Struct)) + " from 8 to 4096: " + advice);
 }
 
 // The caller's desc over this version's defaults. Where it is longer, the fields that this version does not know must
@@ -101,7 +102,7 @@ template <class Desc>
 Desc read_desc(const Desc* given, Desc defaults) {
   if (!given) return defaults;
   const uint32_t size = given->struct_size;
-  check_size(size, "fill the desc by its init function first");
+  check_size<Desc>(size, "fill the desc by its init function first");
   for (size_t i = sizeof(Desc); i < size; ++i)
     if (reinterpret_cast<const char*>(given)[i] != 0)
       throw Error(UPS_ERROR_UNSUPPORTED, "struct_size is " + std::to_string(size) + "; this version knows " +
@@ -116,7 +117,7 @@ template <class Info>
 void write_info(const Info& from, Info* to) {
   require(to != nullptr, "info is NULL");
   const uint32_t size = to->struct_size;
-  check_size(size, "it must be set before the call");
+  check_size<Info>(size, "it must be set before the call");
   std::memcpy(static_cast<void*>(to), &from, std::min<size_t>(size, sizeof(Info)));
   to->struct_size = size;
 }

@@ -72,11 +72,14 @@ class MemoryStream : public Imf::OStream {
   size_t position_ = 0;
 };
 
+constexpr size_t longest_name = 255;  // OpenEXR would cut what is longer
+
 void check_channels(const ups_exr_channel* channels, uint32_t count) {
   require(channels != nullptr && count > 0, "no channels are given");
   require(count <= max_channels, "channel_count must be at most 4096");
   for (uint32_t i = 0; i < count; ++i) {
     require(channels[i].name != nullptr && channels[i].name[0] != '\0', "a channel has no name");
+    require(std::strlen(channels[i].name) <= longest_name, "a channel's name has more than 255 bytes");
     require(channels[i].data != nullptr, "a channel's data is NULL");
     for (uint32_t j = 0; j < i; ++j) {
       require(std::strcmp(channels[i].name, channels[j].name) != 0, "two channels have the same name");
@@ -97,6 +100,7 @@ Imf::Header make_header(uint32_t width, uint32_t height, const ups_exr_channel* 
   require(attributes != nullptr || attribute_count == 0, "attributes is NULL");
   for (uint32_t i = 0; i < attribute_count; ++i) {
     require(attributes[i].name != nullptr && attributes[i].name[0] != '\0', "an attribute has no name");
+    require(std::strlen(attributes[i].name) <= longest_name, "an attribute's name has more than 255 bytes");
     require(attributes[i].value != nullptr, "an attribute's value is NULL");
     const std::string named = std::string("the attribute '") + attributes[i].name + "'";
     if (is_reserved(attributes[i].name)) throw Error(UPS_ERROR_INVALID_ARGUMENT, named + " is OpenEXR's own");
