@@ -268,6 +268,13 @@ TEST_F(BrokenFile, NodesThatAreNoTree) {
   builder = square();
   builder.doc["scene"] = 4;
   expect_failure(builder, UPS_ERROR_PARSE, {"scene 4"});
+  builder.doc["scene"] = 4294967296;  // and not 0
+  expect_failure(builder, UPS_ERROR_PARSE, {"scene"});
+  for (const json& node : {json("0"), json(0.5), json(nullptr)}) {  // what follows would be lost
+    builder = square();
+    builder.doc["scenes"][0]["nodes"] = {0, node};
+    expect_failure(builder, UPS_ERROR_PARSE, {"scene 0", "nodes", "whole numbers"});
+  }
 }
 
 TEST_F(BrokenFile, BadNodeTransforms) {
@@ -285,6 +292,10 @@ TEST_F(BrokenFile, BadNodeTransforms) {
     expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", key, "must be an array"});
   }
   SceneBuilder builder = square();
+  builder.doc["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  builder.doc["nodes"][0]["translation"] = {0, 3, 0};
+  expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", "translation", "beside a matrix"});
+  builder = square();
   builder.doc["nodes"][0]["scale"] = {1e200, 1e200, 1e200};
   expect_failure(builder, UPS_ERROR_PARSE, {"node 0 \"floor\"", "1e+99"});
 }

@@ -159,6 +159,18 @@ TEST_F(GoodFile, BuffersInDataUriAndBinaryFile) {
   EXPECT_EQ(scene.meshes.at(0).positions, triangle);
 }
 
+TEST_F(GoodFile, NodesInNoSceneAreNamed) {
+  SceneBuilder builder;
+  builder.add_square();
+  builder.add_node({{"mesh", 0}});
+  builder.doc["nodes"].push_back({{"name", "lamp B"}, {"children", {2}}});
+  builder.doc["nodes"].push_back({{"mesh", 0}});
+  import(builder);
+  EXPECT_EQ(scene.instances.size(), 1u);
+  EXPECT_TRUE(warned("node 1 \"lamp B\" is in no scene and is skipped")) << warnings();
+  EXPECT_FALSE(warned("node 2")) << "it goes with its parent";
+}
+
 TEST_F(GoodFile, WhatIsSkippedIsNamed) {
   SceneBuilder builder;
   builder.add_square();

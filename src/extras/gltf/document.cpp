@@ -101,15 +101,23 @@ void check_sparse(const JsonReader& sparse, const JsonReader& root) {
   }
 }
 
-void check_children(const JsonReader& node, const JsonReader& root) {
+// tinygltf reads a list of nodes up to what is no number.
+void check_nodes(const JsonReader& of, const char* key, const JsonReader& root) {
   const size_t count = root.array("nodes").size();
-  for (const Json& child : node.array("children")) {
-    if (child.kind != Json::Kind::number || child.number != std::floor(child.number))
-      node.fail("children", "must be an array of whole numbers");
-    if (!(child.number >= 0 && child.number < double(count)))
-      node.fail("children",
-                "has node " + json_text(child) + ", out of range: the file has " + std::to_string(count) + " nodes");
+  for (const Json& node : of.array(key)) {
+    if (node.kind != Json::Kind::number || node.number != std::floor(node.number))
+      of.fail(key, "must be an array of whole numbers");
+    if (!(node.number >= 0 && node.number < double(count)))
+      of.fail(key, "has node " + json_text(node) + ", out of range: the file has " + std::to_string(count) + " nodes");
   }
+}
+
+// It reads a matrix alone.
+void check_transform(const JsonReader& node) {
+  for (const auto& [key, count] : {std::pair("translation", 3), {"rotation", 4}, {"scale", 3}, {"matrix", 16}})
+    node.numbers(key, size_t(count), -unlimited, unlimited);
+  for (const char* key : {"translation", "rotation", "scale"})
+    if (node.has("matrix") && node.has(key)) node.fail(key, "stands beside a matrix; a node has one or the other");
 }
 
 void check_primitives(const JsonReader& root) {
@@ -150,12 +158,11 @@ void check_arrays(const JsonReader& root) {
   for_each(root, "nodes", "node", [&](const JsonReader& node, size_t) {
     check_index(node, "mesh", root, "meshes");
     check_index(node, "camera", root, "cameras");
-    check_children(node, root);
-    for (const auto& [key, count] : {std::pair("translation", 3), {"rotation", 4}, {"scale", 3}, {"matrix", 16}})
-      node.numbers(key, size_t(count), -unlimited, unlimited);
+    check_nodes(node, "children", root);
+    check_transform(node);
   });
-  root.integer("scene", 0, 0, max_integer);
-  for_each(root, "scenes", "scene", [&](const JsonReader& scene, size_t) { scene.array("nodes"); });
+  root.integer("scene", 0, 0, std::numeric_limits<int32_t>::max());
+  for_each(root, "scenes", "scene", [&](const JsonReader& scene, size_t) { check_nodes(scene, "nodes", root); });
   for_each(root, "materials", "material",
            [&](const JsonReader& material, size_t) { material.numbers("emissiveFactor", 3, 0, unlimited); });
   for_each(root, "images", "image",

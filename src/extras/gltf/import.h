@@ -116,6 +116,7 @@ class Importer {
   std::optional<PlacedMesh> add_primitive(const tinygltf::Primitive& primitive, const std::string& where);
   // node.cpp
   void read_scene();
+  void warn_of_nodes_in_no_scene();
   void read_node(int index, const Affine& parent);
   void add_instances(int index, const Affine& to_world, const std::string& where);
   void add_camera(const JsonReader& node, int index, const Affine& frame);

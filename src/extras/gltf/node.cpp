@@ -78,6 +78,17 @@ void Importer::read_scene() {
     read_node(index, parent);
     push(node.children, parent * local_transform(node, where).full);
   }
+  if (model.scenes.size() == 1) warn_of_nodes_in_no_scene();
+}
+
+// With what is below them.
+void Importer::warn_of_nodes_in_no_scene() {
+  const std::vector<tinygltf::Node>& nodes = document_.model.nodes;
+  std::vector<char> is_child(nodes.size(), 0);
+  for (const tinygltf::Node& node : nodes)
+    for (const int child : node.children) is_child[size_t(child)] = 1;
+  for (size_t i = 0; i < nodes.size(); ++i)
+    if (!visited_[i] && !is_child[i]) warn(place("node", i, nodes[i].name) + " is in no scene and is skipped");
 }
 
 void Importer::read_node(int index, const Affine& parent) {
