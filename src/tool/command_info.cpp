@@ -45,7 +45,7 @@ SceneReport scene_report_of(const std::string& file, const LoadedScene& scene) {
   report.sensors = scene.sensors;
   report.effects = text(UPS_SCENE_TEXT_EFFECTS);
   report.techniques = text(UPS_SCENE_TEXT_TECHNIQUES);
-  report.warnings = scene.warnings;
+  for (const std::string& line : scene.warnings) append_once(report.warnings, {for_people(scene, line)});
   return report;
 }
 

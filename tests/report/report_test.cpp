@@ -262,7 +262,12 @@ TEST(ReportMap, OfNumbers) {
   style.threshold_lx = 121;
   desc.style = &style;
   EXPECT_TRUE(has(drawn(desc, "points.svg"), "Of 24 values, 121 lx is met at 12, not sure at 4, not met at 8."));
-  const std::string plain = drawn(desc, "plain.pdf");
+  const std::string plain = drawn(desc, "plain.pdf"), found_out = drawn(desc, "points.svg");
+  desc.columns = 6;
+  EXPECT_TRUE(drawn(desc, "points.svg") == found_out);
+  desc.columns = 4;  // rows for columns
+  expect_no_map(desc, UPS_ERROR_INVALID_ARGUMENT, "columns is 4, but the points are no such grid");
+  desc.columns = 0;
   desc.scene = LRoom::lit().scene;
   EXPECT_GT(drawn(desc, "plan.pdf").size(), plain.size()) << "the plan beneath";
   MapDesc image;
@@ -397,6 +402,19 @@ TEST_F(ReportPage, TellsAllOfTheRoom) {
   EXPECT_EQ(html.substr(html.size() - 8), "</html>\n");
 }
 
+// Two sets may have the same name: each keeps its verdict.
+TEST_F(ReportPage, HasARowForEachOfTwoSetsOfOneName) {
+  const ups_report_sensor alike[2] = {{LRoom::lit().points, 0, "plane"}, {LRoom::lit().wall, 0, "plane"}};
+  page.sensors = alike, page.sensor_count = 2;
+  page.targets_json = R"({"areas": [{"name": "Room", "meters": "plane", "mean_lx": 1e5}]})";
+  const std::string html = written();
+  const size_t begin = html.find("id=\"requirements\""), end = html.find("</section>", begin);
+  ASSERT_NE(begin, html.npos);
+  size_t rows = 0;
+  for (size_t at = begin; (at = html.find(">plane<", at)) < end; ++at) ++rows;
+  EXPECT_EQ(rows, 2u);
+}
+
 TEST_F(ReportPage, LeavesOutWhatIsNotTold) {
   page.sensor_count = 1;
   const std::string html = written();
@@ -466,6 +484,8 @@ TEST_F(ReportPage, RefusesWrongTargetsAndSensors) {
   EXPECT_TRUE(has(written(), "EN 12464-1"));
   page.targets_json = nullptr;
   page.target_relative_error = -1;
+  expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "target_relative_error");
+  page.target_relative_error = 1.7e308;  // its axis would have no end
   expect_no_page(UPS_ERROR_INVALID_ARGUMENT, "target_relative_error");
   page.target_relative_error = 0;
   page.ratio_count = 1;

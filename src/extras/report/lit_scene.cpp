@@ -120,13 +120,16 @@ ups_scene_info info_of(const LitScene& scene) {
 std::string for_people(const LitScene& scene, std::string line) {
   if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
   for (const SensorEntry& sensor : scene.sensors) {
-    const bool observer = sensor.info.kind == SensorKind::observer;  // to the library, meters at an eye
-    const std::string kind = observer || sensor.info.kind == SensorKind::meters ? "meters "
-                             : sensor.info.kind == SensorKind::goniometer       ? "goniometer "
-                                                                                : "camera ";
-    const std::string number = kind + std::to_string(sensor.info.sensor.v & number_bits);
-    if (line.compare(0, number.size(), number) == 0 && line.find_first_of(":,", number.size()) == number.size())
-      return line.replace(0, number.size(), (observer ? "observer " : kind) + sensor.name);
+    const bool observer = sensor.info.kind == SensorKind::observer;  // to the library, also meters at an eye
+    const std::string kind = observer                                     ? "observer "
+                             : sensor.info.kind == SensorKind::meters     ? "meters "
+                             : sensor.info.kind == SensorKind::goniometer ? "goniometer "
+                                                                          : "camera ";
+    for (const std::string& told : {kind, std::string(observer ? "meters " : kind)}) {
+      const std::string number = told + std::to_string(sensor.info.sensor.v & number_bits);
+      if (line.compare(0, number.size(), number) == 0 && line.find_first_of(":,", number.size()) == number.size())
+        return line.replace(0, number.size(), kind + sensor.name);
+    }
   }
   return line;
 }

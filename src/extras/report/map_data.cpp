@@ -240,7 +240,7 @@ std::optional<MapData> meter_map(const SensorEntry& meters, const LitScene& scen
     points[i].illuminance_lx = double(readings[i].illuminance_lx);
     points[i].error_bound_lx = double(readings[i].error_bound_lx);
   }
-  const bool of_file = layout == MeterLayout::grid;  // else as a program lists them
+  const bool of_file = layout == MeterLayout::grid || layout == MeterLayout::en12464;  // else as a program lists them
   std::optional<MapData> data = meter_map(meters.name, points, meters.info.columns, &scene, of_file);
   if (!data) return data;
   data->quantity = quantity_of(meters.info.meter_kind);

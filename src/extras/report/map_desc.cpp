@@ -82,6 +82,21 @@ std::vector<MeterPoint> points_of(const ups_report_map_desc& d) {
   return points;
 }
 
+// Each point must be nearer to its own place in the grid from the first to the last than to any other.
+void check_grid(const MapData& data) {
+  const Place first = data.values.front().at, last = data.values.back().at;
+  const double x = data.columns > 1 ? (last.x - first.x) / (data.columns - 1) : 0,
+               y = data.rows > 1 ? (last.y - first.y) / (data.rows - 1) : 0,
+               near_x = 0.5 * std::abs(x != 0 ? x : y), near_y = 0.5 * std::abs(y != 0 ? y : x);
+  for (size_t i = 0; i < data.values.size(); ++i) {
+    const Place& at = data.values[i].at;
+    const double column = double(i % data.columns), row = double(i / data.columns);
+    if (std::abs(at.x - first.x - column * x) > near_x || std::abs(at.y - first.y - row * y) > near_y)
+      throw Failure("columns is " + std::to_string(data.columns) +
+                    ", but the points are no such grid row by row; 0: it is found out");
+  }
+}
+
 MapData points_map(const ups_report_map_desc& d) {
   require(d.quantity != UPS_REPORT_QUANTITY_LUMINANCE, "quantity is luminance, but points have illuminance");
   require(d.count <= most_meters, "count must be at most 4,000,000");
@@ -92,6 +107,7 @@ MapData points_map(const ups_report_map_desc& d) {
   const uint32_t columns = d.columns > 0 ? d.columns : columns_of(d.positions_m, d.count);
   std::optional<MapData> data = meter_map("", points, columns, d.scene ? &scene : nullptr);
   if (!data) fail_flat("the points");
+  if (d.columns > 0) check_grid(*data);
   data->summary = summary_of(points);
   return std::move(*data);
 }

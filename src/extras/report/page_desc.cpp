@@ -136,8 +136,8 @@ ups_report_page_desc page_defaults() {
 std::string page_of(const ups_report_page_desc& d) {
   require(d.scene != nullptr, "scene is NULL");
   require(d.result != nullptr, "result is NULL");
-  require(std::isfinite(d.target_relative_error) && d.target_relative_error >= 0,
-          "target_relative_error must be finite and at least 0");
+  require(d.target_relative_error >= 0 && d.target_relative_error <= 1e6,
+          "target_relative_error must be from 0, none, to 1,000,000");
   const Style style = style_of(d.style);
   LitScene scene = lit_scene_of(d.scene, d.result, d.sensors, d.sensor_count);
   take_sources(d, scene);

@@ -99,8 +99,8 @@ Section effects_section(const PageInput& in) {
 
 Section warnings_section(const PageInput& in) {
   std::vector<std::string> items;
-  for (const auto* lines : {&in.report.advice, &in.report.warnings})
-    for (const std::string& line : *lines) items.push_back(html_text(for_people(in.scene, line)));
+  for (const std::string& line : in.report.advice) items.push_back(html_text(for_people(in.scene, line)));
+  for (const std::string& line : in.report.warnings) items.push_back(html_text(line));
   if (items.empty()) return {};
   return {"warnings", "Remarks", html_list(items)};
 }

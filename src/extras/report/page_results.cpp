@@ -84,12 +84,14 @@ std::string area_table(const PageInput& in, size_t index) {
   std::string subject;
   for (const TargetVerdict& v : in.report.targets) {
     if (v.area != index) continue;
-    if (table.rows.empty() || subject != v.subject) {
+    const auto place = std::find(columns.begin(), columns.end(), v.quantity) - columns.begin();
+    const size_t column = size_t(place) + 1;
+    const bool another = table.rows.empty() || subject != v.subject || !table.rows.back()[column].empty();
+    if (another) {  // two may have the same name
       table.rows.push_back(std::vector<std::string>(1 + columns.size()));
       table.rows.back()[0] = html_text(subject = v.subject);
     }
-    const auto column = std::find(columns.begin(), columns.end(), v.quantity) - columns.begin();
-    table.rows.back()[size_t(column) + 1] = finding(v);
+    table.rows.back()[column] = finding(v);
   }
   return html_table(table, "Requirements of " + area.name);
 }
