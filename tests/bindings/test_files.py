@@ -96,6 +96,12 @@ def test_pictures(tmp_path):
     ups.write_png(tmp_path / "c.png", luminance, exposure=0.52 / 50)
     pixels = [imread(tmp_path / f"{n}.png")[..., :3] for n in "abc"]
     assert pixels[0].shape == (4, 6, 3) and np.array_equal(pixels[0], pixels[1]) and pixels[2].min() > pixels[0].max()
+    assert ups.ev100(0.26 / 50) == pytest.approx(np.log2(8 * 50))
+    assert ups.exposure_of_ev100(ups.ev100(0.26 / 50)) == pytest.approx(0.26 / 50)
+    ups.write_png(tmp_path / "e.png", luminance, exposure=0.26 / 50, exposure_chosen=True)
+    assert [b"geometric mean" in (tmp_path / f"{n}.png").read_bytes() for n in "abe"] == [True, False, True]
+    with pytest.raises(ups.Error):
+        ups.exposure_of_ev100(101)
     ups.write_false_color_png(tmp_path / "d.png", luminance[..., 0], title="a wall", unit="cd/m^2", scale=(0, 100))
     assert (tmp_path / "d.png").read_bytes()[:4] == b"\x89PNG"
     with pytest.raises(ups.Error) as caught:

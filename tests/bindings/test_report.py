@@ -72,6 +72,9 @@ def test_the_page(lit, tmp_path):
     with pytest.raises(ups.Error, match="is no PNG"):
         ups.write_report(tmp_path / "other.html", scene, result, {"view": camera},
                          pictures=[ups.Picture(camera, b"GIF89a")])
+    with pytest.raises(ValueError, match="ev100 is missing"):
+        ups.write_report(tmp_path / "other.html", scene, result, {"view": camera},
+                         pictures=[ups.Picture(camera, picture, ups.ReportExposure.CHOSEN)])
 
 
 def test_a_nul_cuts_no_text_short(tmp_path):

@@ -28,7 +28,8 @@ from ._fixture import Fixture
 from ._glare import position_index, ugr
 from ._gltf import GltfImport, GltfSensor
 from ._grid import en12464_grid
-from ._images import (ExrImage, choose_exposure, read_exr, smooth, write_exr, write_false_color_png, write_png)
+from ._images import (ExrImage, choose_exposure, ev100, exposure_of_ev100, read_exr, smooth, write_exr,
+                      write_false_color_png, write_png)
 from ._job import Job
 from ._profile import Profile
 from ._report import Picture, write_image_map, write_map, write_points_map, write_report
@@ -44,8 +45,8 @@ __all__ = ["AlphaMode", "Channel", "CollimatorWall", "CommitJob", "Context", "Co
            "Photons", "Picture", "PositionIndex", "Priority", "Profile", "ProfileFormat", "ProfileSymmetry", "Progress",
            "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "ReportColours", "ReportExposure",
            "ReportQuantity", "ReportScale", "Result", "ResultText", "Scene", "SceneText", "SensorId", "Separation",
-           "SourceKind", "Status", "Technique", "TextureId", "Walk", "choose_exposure", "en12464_grid",
-           "position_index", "read_exr", "smooth", "translation", "ugr", "version", "write_exr",
+           "SourceKind", "Status", "Technique", "TextureId", "Walk", "choose_exposure", "en12464_grid", "ev100",
+           "exposure_of_ev100", "position_index", "read_exr", "smooth", "translation", "ugr", "version", "write_exr",
            "write_false_color_png", "write_image_map", "write_map", "write_png", "write_points_map", "write_report"]
 
 for _class in (CommitJob, Context, Error, ExrImage, Fixture, GltfImport, GltfSensor, Job, Picture, Profile, ReplayedPath,

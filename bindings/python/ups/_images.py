@@ -1,7 +1,7 @@
 """Images in files: OpenEXR with numbers, PNG for looking at. Need the libraries ups_exr and ups_ocio.
 
 Used by programs: ups.read_exr, ups.write_exr, ups.write_png, ups.write_false_color_png, ups.choose_exposure,
-ups.smooth.
+ups.ev100, ups.exposure_of_ev100, ups.smooth.
 """
 from __future__ import annotations
 
@@ -105,13 +105,29 @@ def choose_exposure(luminance_rgb: ArrayLike) -> float:
     return out.value
 
 
-def write_png(path: str | os.PathLike[str], luminance_rgb: ArrayLike, exposure: float = 0,
-              smoothed: bool = False) -> None:
+def ev100(exposure: float) -> float:
+    """The exposure value at ISO 100 of such a factor."""
+    out = ctypes.c_double()
+    _check_ocio(load("ups_ocio").ups_ocio_get_ev100(exposure, byref(out)))
+    return out.value
+
+
+def exposure_of_ev100(ev100: float) -> float:
+    """The other way round; ev100 within -100 and 100."""
+    out = ctypes.c_double()
+    _check_ocio(load("ups_ocio").ups_ocio_get_exposure(ev100, byref(out)))
+    return out.value
+
+
+def write_png(path: str | os.PathLike[str], luminance_rgb: ArrayLike, exposure: float = 0, smoothed: bool = False,
+              exposure_chosen: bool = False) -> None:
     """Luminance (height, width, 3), cd/m^2, through the ACES view for an sRGB display. exposure: a factor, 0: chosen
-    from the image; the file says which. smoothed: the picture says that it is."""
+    from the image; the file says which. exposure_chosen: it is what choose_exposure gave, as the file then says.
+    smoothed: the picture says that it is."""
     a, lib = _as_picture(luminance_rgb, "luminance_rgb"), load("ups_ocio")
     desc = describe(_ffi.OcioPictureDesc, {"width": a.shape[1], "height": a.shape[0], "smoothed": smoothed,
-                                           "luminance_rgb": address(a, ctypes.c_float), "exposure": exposure}, lib)
+                                           "exposure_chosen": exposure_chosen, "exposure": exposure,
+                                           "luminance_rgb": address(a, ctypes.c_float)}, lib)
     _check_ocio(lib.ups_ocio_write_picture_png(c_path(path), byref(desc)))
 
 

@@ -91,17 +91,20 @@ def write_image_map(path: str | os.PathLike[str], values: ArrayLike, error_bound
 
 @dataclasses.dataclass(frozen=True)
 class Picture:
-    """A camera's image as a PNG: the file's path or its bytes. exposure: whether the page tells ev100, and of what it
-    says it is; smoothed: the page says that it is for looking at alone."""
+    """A camera's image as a PNG: the file's path or its bytes. exposure: whether the page tells ev100, which it then
+    needs (ups.ev100), and of what it says it is; smoothed: the page says that it is for looking at alone."""
     camera: SensorId
     png: bytes | str | os.PathLike[str]
     exposure: ReportExposure = ReportExposure.UNTOLD
-    ev100: float = 0
+    ev100: float | None = None
     smoothed: bool = False
 
     def _as_c(self) -> _ffi.ReportPicture:
+        if self.ev100 is None and self.exposure != ReportExposure.UNTOLD:
+            raise ValueError("ev100 is missing: the page is to tell the exposure")
         c = _ffi.ReportPicture()
-        assign(c, {"camera": self.camera, "exposure": self.exposure, "ev100": self.ev100, "smoothed": self.smoothed})
+        assign(c, {"camera": self.camera, "exposure": self.exposure, "ev100": self.ev100 or 0,
+                   "smoothed": self.smoothed})
         if isinstance(self.png, bytes):
             c.png = ctypes.cast(ctypes.c_char_p(self.png), ctypes.POINTER(ctypes.c_uint8))
             c.png_size = len(self.png)
