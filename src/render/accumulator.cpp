@@ -73,9 +73,9 @@ std::vector<Accumulator::Emitted> Accumulator::emitted_by_column(const Snapshot&
 // All meters' light, and beside it the choice of discs, then profiles, or two more copies of the batches and their
 // ranks.
 double Accumulator::scratch_bytes(bool has_discs) {
-  constexpr double profiles = sizeof(RingProfile) + class_count * sizeof(MeterRings::Choice);
-  return sizeof(MeterLight) + std::max(class_count * sizeof(OwnBias) + sizeof(NeighbourCurvature) + has_discs * profiles,
-                                       2 * MeterBatches::bytes_per_meter + 48);
+  constexpr double profiles = sizeof(RingProfile) + class_count * sizeof(MeterRings::Choice),
+                   choosing = class_count * sizeof(OwnBias) + sizeof(NeighbourCurvature);
+  return sizeof(MeterLight) + std::max(choosing + has_discs * profiles, 2 * MeterBatches::bytes_per_meter + 48);
 }
 
 void Accumulator::add(const IterationTally& tally) {
