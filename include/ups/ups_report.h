@@ -145,7 +145,7 @@ typedef struct ups_report_page_desc {
   const ups_report_style_desc *style; /* of the maps; NULL: the defaults. Zoom is for PNG alone */
   const double *thresholds_lx;        /* the share of each set's meters with at least so many lx is told; > 0 */
   const ups_report_ratio *ratios;     /* of mean illuminances to tell, and meter by meter of sets of as many meters */
-  double target_relative_error;       /* that the render was to stop at, for the diagram of accuracy; 0: none, at most 1e6 */
+  double target_relative_error;       /* that the render was to stop at, for its diagram; at most 1e6, 0: none */
 } ups_report_page_desc;
 
 UPS_API void ups_report_page_desc_init(ups_report_page_desc *desc, uint32_t struct_size);
