@@ -75,7 +75,8 @@ typedef struct ups_render_desc {
                                        * over the light; 0: off. The error is looked at after 16, 20, 25, 32, ...
                                        * (steps of 1.25) visits of all meters; without meters from 4 visits of all
                                        * pixels and 16 iterations on. Against stopping by luck two looks one after the
-                                       * other must find it below, the second no sooner than after 32 visits */
+                                       * other must find it below, the second no sooner than after 32 visits. An
+                                       * observer's eye counts as a meter where there are neither meters nor cameras */
   float merge_radius_m;               /* of pixels and walks the first one; of point meters the widest disc, from
                                        * whose rings each reading takes as many as serve it best. 0: from the scene,
                                        * whose diameter is the most */
@@ -253,7 +254,7 @@ typedef struct ups_prediction {
   double iterations;                /* at `seconds`; -1 where that is */
 } ups_prediction;
 
-/* The meter that had the largest relative error at the last look. */
+/* The meter that had the largest relative error at the last look; an observer's eye where there are no meters. */
 typedef struct ups_largest_error {
   uint32_t struct_size;
   ups_sensor_id sensor;

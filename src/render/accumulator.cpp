@@ -240,6 +240,7 @@ ErrorSummary Accumulator::summarize(const StopSignal* stop) const {
   std::optional<ErrorSummary::Place> worst;
   double bias = 0, bound = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
+    if (!is_looked_at(scene_, s)) continue;
     const std::vector<MeterLight> lights = measured(s, lights_of(s, choose_discs(s, stop), 0, stop));
     std::vector<ups_meter_reading> readings;
     for (const MeterLight& light : lights) readings.push_back(light.reading());

@@ -1,12 +1,20 @@
 // See accuracy.h.
 #include "render/accuracy.h"
 
+#include <algorithm>
+
 #include "platform/memory.h"
 
 namespace ups {
 
 bool by_pixels(const Snapshot& scene) {
   return !scene.cameras.empty() && scene.meter_sets.size() == scene.observers.size();
+}
+
+bool is_looked_at(const Snapshot& scene, size_t meter_set) {
+  return scene.meter_sets.size() == scene.observers.size() ||
+         std::none_of(scene.observers.begin(), scene.observers.end(),
+                      [=](const Observer& o) { return o.meter_set == meter_set; });
 }
 
 ups_criterion resolve_criterion(ups_criterion criterion, const Snapshot& scene) {

@@ -11,6 +11,8 @@ namespace ups {
 
 // What the error is looked at of: cameras where no meters are there but observers' eyes, which are soon known.
 bool by_pixels(const Snapshot& scene);
+// An observer's eye is, as a meter, only where there is nothing else.
+bool is_looked_at(const Snapshot& scene, size_t meter_set);
 // By DEFAULT: the worst meter, else the mean.
 ups_criterion resolve_criterion(ups_criterion criterion, const Snapshot& scene);
 double error_by(ups_criterion criterion, const ErrorSummary& summary);  // -1: not known

@@ -146,7 +146,8 @@ uint32_t MeterLight::flags(const ups_meter_reading& r) const {
                batch = sums.value[sums.largest_batch] -
                        sums.exact / visits * visits_of_batch(visits, sums.largest_batch);
   uint32_t flags = 0;
-  if (single_path_dominates(paths.largest, paths.count, by_chance, batch, r.standard_error_lx, visits))
+  if (single_path_dominates(largest_counts * double(paths.largest), paths.count, by_chance, batch, r.standard_error_lx,
+                            visits))
     flags |= UPS_READING_SINGLE_PATH;
   if (batch_kurtosis(sums.value, visits) > largest_kurtosis) flags |= UPS_READING_HEAVY_TAIL;
   return flags;

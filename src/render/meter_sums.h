@@ -36,6 +36,7 @@ struct MeterLight {
   double weight = 1;                             // in the set's mean
   std::array<double, light_part_count> unfound{};  // lx, added to the bound: of what few paths found, see VectorLight
   double edge = 0;  // lx, part of the bias's standard error: caustics that end beside the meter
+  double largest_counts = 1;  // of a vector: the share of its largest path's side along it
   double bias_apart = 0;  // lx, root of squares of the biases of photons that have discs of their own: they may cancel
 
   ups_meter_reading reading() const;

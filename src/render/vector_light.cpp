@@ -19,10 +19,12 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
   for (const MeterLight* side : sides_) out.visits = std::min(out.visits, side->visits);
   if (out.visits == 0) return out;
   out.photons.widest = true;
+  float most = 0;
   double bias_variance = 0, most_unsure = 0;
   for (uint32_t i = 0; i < vector_sides; ++i) {
     const MeterLight& side = *sides_[i];
     const double share = dot(direction, Vec3d(axis_of_side(i))), size = std::abs(share);
+    if (size == 0) continue;
     for (uint32_t b = 0; b < std::min(out.visits, batch_count); ++b) {  // sides may have been visited once more or less
       const double scale = share * visits_of_batch(out.visits, b) / visits_of_batch(side.visits, b);
       out.sums.value[b] += scale * side.sums.value[b];
@@ -33,14 +35,16 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
     out.sums.exact += share * visits * side.sums.exact;
     out.sums.exact_mirrored += share * visits * side.sums.exact_mirrored;
     out.sums.rounding += size * visits * side.sums.rounding;
-    if (side.sums.paths[whole_light].largest > out.sums.paths[whole_light].largest) {
+    const float largest = side.sums.paths[whole_light].largest;
+    if (size * double(largest) > out.largest_counts * double(most)) {
+      most = largest, out.largest_counts = size;
       out.sums.largest_batch = side.sums.largest_batch, out.sums.largest = side.sums.largest;
       if (!out.sums.largest.path.is_light()) out.sums.largest.path.bits += i * eye_paths_;
     }
     for (const LightPart part : {whole_light, direct_light, indirect_light}) {
       out.sums.paths[part].add(side.sums.paths[part]);
       out.sums.batches[part] |= side.sums.batches[part];
-      out.largest[part] = std::max(out.largest[part], side.largest[part]);
+      out.largest[part] = std::max(out.largest[part], size * side.largest[part]);
       out.exact[part] = out.exact[part] && side.exact[part];
       const auto [error, bound] = side.error_of(part);
       out.unfound[part] += size * (error < 0 ? std::max(bound, 0.0f) : float(side.unfound[part]));
@@ -61,6 +65,7 @@ MeterLight VectorLight::along(const Vec3d& direction) const {
     out.photons.halves_differ |= side.photons.halves_differ;
     if (side.photons.bias_scale > 0) out.photons.widest &= side.photons.widest;
   }
+  out.sums.paths[whole_light].largest = most;
   out.bias.standard_error = std::sqrt(bias_variance);
   return out;
 }

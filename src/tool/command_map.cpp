@@ -95,6 +95,23 @@ class MeterTable {
   std::vector<std::string> header_;
 };
 
+// Of a grid of a single row or column, whose steps are even; 0: they are none.
+uint32_t columns_of_line(const std::vector<MeterPoint>& points) {
+  const double last = double(points.size() - 1);
+  double step[3] = {}, length2 = 0;
+  for (size_t k = 0; k < 3 && last > 0; ++k) {
+    step[k] = (points.back().position_m[k] - points.front().position_m[k]) / last;
+    length2 += step[k] * step[k];
+  }
+  for (size_t i = 0; i < points.size(); ++i) {
+    double off2 = 0;
+    for (size_t k = 0; k < 3; ++k)
+      off2 += std::pow(points[i].position_m[k] - points.front().position_m[k] - double(i) * step[k], 2);
+    if (off2 > 1e-4 * length2) return 0;  // a hundredth of a step
+  }
+  return std::abs(step[0]) >= std::hypot(step[1], step[2]) ? uint32_t(points.size()) : 1;
+}
+
 MapData map_of_table(const MapOptions& options, const std::string& title) {
   const MeterTable table(options.file);
   const std::vector<MeterPoint>& points = table.points;
@@ -102,8 +119,9 @@ MapData map_of_table(const MapOptions& options, const std::string& title) {
   if (!options.scene.empty()) scene = load_scene(options.scene, {.allow_outside = options.allow_outside});
   std::vector<double> positions;
   for (const MeterPoint& p : points) positions.insert(positions.end(), p.position_m, p.position_m + 3);
-  std::optional<MapData> data =
-      meter_map(title, points, columns_of(positions.data(), points.size()), scene ? &*scene : nullptr);
+  uint32_t columns = columns_of(positions.data(), points.size());
+  if (columns == 0) columns = columns_of_line(points);
+  std::optional<MapData> data = meter_map(title, points, columns, scene ? &*scene : nullptr);
   if (!data)
     throw Failure(options.file + ": its meters lie on one line or in no plane, or are too many on no lattice; there is "
                                  "no map of them");

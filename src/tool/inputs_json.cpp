@@ -1,9 +1,12 @@
-// See inputs.h: the names of files in a scene's JSON, taken as the import takes them.
+// See inputs.h: the names of files in a scene's JSON, taken as the import takes them, and the tilt files of these.
 #include "tool/inputs.h"
 
+#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
+#include <string_view>
 
 #include "base/floating_point.h"
 #include "gltf/uri.h"
@@ -34,6 +37,29 @@ std::string json_of(const std::string& scene) {
   return text;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr const char* blanks = " \t\r";
+  const size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+// The file that TILT= of an IES file names, blanks and case free; empty: none.
+std::string tilt_file_of(const std::string& file) {
+  if (!platform::is_regular_file(file)) return {};
+  std::string head(1 << 16, '\0');
+  auto in = platform::open_to_read(file);
+  in.read(head.data(), std::streamsize(head.size()));
+  std::istringstream lines(head.substr(0, size_t(in.gcount())));
+  for (std::string line; std::getline(lines, line);) {
+    const size_t equals = std::min(line.find('='), line.size());
+    std::string word(trimmed(std::string_view(line).substr(0, equals)));
+    std::transform(word.begin(), word.end(), word.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
+    if (word != "TILT" || equals == line.size()) continue;
+    return platform::find_in_any_case(platform::folder_of(file), std::string(trimmed(std::string_view(line).substr(equals + 1))));
+  }
+  return {};
+}
+
 // What the import asks for: "uri" of buffers, images and lights, "file" of luminaires wherever extras.ups has them.
 class Files {
  public:
@@ -45,7 +71,11 @@ class Files {
   std::set<std::string> found;
 
  private:
-  void add(const std::string& name) { found.insert(platform::resolved(platform::joined(folder_, name))); }
+  void add(const std::string& name) {
+    const std::string file = platform::joined(folder_, name);
+    found.insert(platform::resolved(file));
+    if (const std::string tilt = tilt_file_of(file); !tilt.empty()) found.insert(platform::resolved(tilt));
+  }
   void add_uris(const Json& array) {
     for (const Json& item : array) {
       if (const auto at = item.find("uri"); item.is_object() && at != item.end() && at->is_string())

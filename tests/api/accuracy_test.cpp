@@ -130,27 +130,38 @@ TEST(Accuracy, BiasAtAnEdgeIsForetold) {
 }
 
 // An eye beside a camera is soon known: the picture decides, as it does without. (A picture of many pixels is visited in
-// parts: an eye would be known long before every pixel is.)
-TEST(Accuracy, ObserversEndNoPicture) {
-  uint32_t iterations[2];
-  for (const bool eye : {false, true}) {
-    Scene scene;
-    make_room(scene);
-    const Sensor view = scene.add_camera({0.5, 0.5, 1.5}, {1, 0.9, -0.1}, 200, 180, 1.2);
-    if (eye) scene.add_observer({0.5, 1.5, 1.2}, {1, 0, 0});
-    check(ups_scene_commit(scene.get()), "ups_scene_commit");
-    const Outcome o = render(scene, [](ups_render_desc& d) {
-      d.method = UPS_METHOD_PATH_TRACING;
-      d.target_relative_error = 0.2f;
-    });
-    iterations[eye] = o.curve().back().iterations;
-    std::vector<float> bounds(size_t(200) * 180);
-    check(ups_result_read_image(o.result.get(), view.id, UPS_CHANNEL_ERROR_BOUND, bounds.data(), 0,
-                                bounds.size() * sizeof(float)),
-          "ups_result_read_image");
-    EXPECT_GE(*std::min_element(bounds.begin(), bounds.end()), 0) << "a pixel of unknown error";
+// parts: an eye would be known long before every pixel is.) Nor does one in a dark box of its own keep meters waiting.
+TEST(Accuracy, ObserversDecideNothing) {
+  for (const bool meters : {false, true}) {
+    uint32_t iterations[2];
+    for (const bool eye : {false, true}) {
+      Scene scene;
+      make_room(scene);
+      scene.add(box({20, 20, 0}, {22, 22, 2}).flipped(), matte(0.5));
+      const Sensor sensor = meters ? scene.add_meters({{1, 1, 0.75}, {2, 2, 0.75}}, {0, 0, 1})
+                                   : scene.add_camera({0.5, 0.5, 1.5}, {1, 0.9, -0.1}, 200, 180, 1.2);
+      if (eye) scene.add_observer({meters ? 21 : 0.5, meters ? 21 : 1.5, 1.2}, {1, 0, 0});
+      check(ups_scene_commit(scene.get()), "ups_scene_commit");
+      const Outcome o = render(scene, [&](ups_render_desc& d) {
+        d.method = UPS_METHOD_PATH_TRACING;
+        d.target_relative_error = meters ? 0.002f : 0.2f;
+      });
+      iterations[eye] = o.curve().back().iterations;
+      ups_largest_error worst{};
+      worst.struct_size = sizeof worst;
+      if (meters) {
+        check(ups_result_get_largest_error(o.result.get(), &worst), "ups_result_get_largest_error");
+        EXPECT_EQ(worst.sensor.v, sensor.id.v);
+        continue;
+      }
+      std::vector<float> bounds(size_t(200) * 180);
+      check(ups_result_read_image(o.result.get(), sensor.id, UPS_CHANNEL_ERROR_BOUND, bounds.data(), 0,
+                                  bounds.size() * sizeof(float)),
+            "ups_result_read_image");
+      EXPECT_GE(*std::min_element(bounds.begin(), bounds.end()), 0) << "a pixel of unknown error";
+    }
+    EXPECT_EQ(iterations[0], iterations[1]);
   }
-  EXPECT_EQ(iterations[0], iterations[1]);
 }
 
 // Each criterion ends a render at the second look in a row at which its own error is below.

@@ -262,6 +262,48 @@ TEST(VectorLight, KnowsItsSidesCaustics) {
   EXPECT_EQ(length.sums.caustics, 20u);
 }
 
+// Along x: what the other axes' sides know is nothing of it, nor do their paths weigh in it.
+TEST(VectorLight, OfAComponentItsOwnSidesTell) {
+  std::array<MeterLight, vector_sides> sides{};
+  VectorLight::Sides all;
+  for (uint32_t i = 0; i < vector_sides; ++i) {
+    const Vec3 axis = axis_of_side(i);
+    MeterLight& side = sides[i];
+    all[i] = &side;
+    side.visits = batch_count;
+    side.largest.fill(1000);
+    if (axis.x != 0) {
+      side.sums.value[i] = 3;
+      side.sums.paths.fill({3, 1}), side.sums.batches.fill(uint16_t(1u << i));
+    } else {
+      for (uint32_t b = 0; b < batch_count; ++b) side.sums.value[b] = 500 + b % 2;
+      side.sums.paths.fill({400, 100}), side.sums.batches.fill(0xffff);
+    }
+  }
+  const auto whole = VectorLight(all, 1).components()[size_t(UPS_LIGHT_PART_ALL)];
+  EXPECT_EQ(whole.standard_error_lx[0], -1) << "two paths tell none";
+  EXPECT_GT(whole.error_bound_lx[0], 1000 / 16.0);
+  EXPECT_GE(whole.standard_error_lx[1], 0);
+}
+
+// A path of a side that lies across the vector weighs by its share of it.
+TEST(VectorLight, WeighsPathsAlongIt) {
+  std::array<MeterLight, vector_sides> sides{};
+  VectorLight::Sides all;
+  for (uint32_t i = 0; i < vector_sides; ++i) {
+    const Vec3 axis = axis_of_side(i);
+    MeterLight& side = sides[i];
+    all[i] = &side;
+    side.visits = batch_count;
+    for (uint32_t b = 0; b < batch_count; ++b)
+      side.sums.value[b] = axis.x > 0.5f ? 1000 + b % 2 : axis.y > 0.5f && b == 3 ? 16 : 0;
+    side.sums.paths.fill({axis.y > 0.5f ? 16.0f : 1.0f, 16000}), side.sums.batches.fill(0xffff);
+    if (axis.y > 0.5f) side.sums.largest_batch = 3;
+  }
+  const MeterLight length = VectorLight(all, 1).length(whole_light);
+  EXPECT_EQ(length.flags(length.reading()), 0u) << "1 lx across 1000: 0.001 of the path";
+}
+
 // Of two columns the second has no emitter: it is known to be dark, beside what is unknown of the other.
 TEST(Accumulator, AColumnWithoutLightIsExact) {
   Rig rig(2);

@@ -162,6 +162,13 @@ class Maps(test_program.ProgramTest):
                          "--illuminance")
         self.assertEqual(self.read("view.svg"), self.read("out/view_illuminance.svg"))
 
+    def test_a_single_row_column_or_cell_is_a_grid(self):
+        """Of which `ups render` draws maps, too."""
+        for columns, rows in ((5, 1), (1, 5), (2, 1), (1, 1)):
+            places = [(0.5 * x, 0.5 * y, 0, 100 + x + y, 2) for y in range(rows) for x in range(columns)]
+            self.run_program("map", self.write("row.csv", table(places)), self.path("row.svg"))
+            self.assertIn("U0", self.svg("row.svg")[1], msg=(columns, rows))
+
     def test_the_mean_of_a_surface_is_by_area(self):
         """As the program tells it of a render; of points it is by their number."""
         rows = [(0, 0, 0, 100, 2, 10)] + [(1 + 0.1 * i, i % 2, 0, 500, 2, 0.005) for i in range(9)]
@@ -199,7 +206,7 @@ class Maps(test_program.ProgramTest):
         self.run_program("map", file, code=2)
         broken = {"line 3: has 2 of the 12 fields": table([(0, 0, 0, 5, 1)]) + "1,0\n",
                   "no column": "a,b\n1,2\n", "no number": table([(0, 0, 0, "x", 1)]), "empty": "", "no meter": HEADER,
-                  "one line": table([(x, 2 * x, 0, 5, 1) for x in range(3)]),
+                  "one line": table([(x, 2 * x, 0, 5, 1) for x in (0, 1, 3)]),
                   "no plane": table([(0, 0, 0, 5, 1), (1, 0, 0, 5, 1), (0, 1, 0, 5, 1), (1, 1, 1, 5, 1),
                                      (2, 1, 5, 5, 1)])}
         for words, text in broken.items():

@@ -534,6 +534,18 @@ class Render(ProgramTest):
         with open(self.path("paint.png"), "rb") as file:
             self.assertEqual(file.read(), PIXEL)
 
+    def test_outputs_do_not_replace_a_tilt_file(self):
+        """That an IES file names, which the scene names."""
+        self.write("lamp.ies", IES.replace("TILT=NONE", "tilt = Spot.csv"))
+        tilt = "1\n2\n0 90\n1 0.9\n"
+        self.write("spot.csv", tilt)
+        scene = room()
+        scene["nodes"][2]["extras"]["ups"]["meters"]["name"] = "spot"
+        self.expect_failure("render", self.write("room.gltf", scene), "--time", 1000, "--out", ".",
+                            words=["--out", "spot.csv", "the scene room.gltf reads"])
+        with open(self.path("spot.csv"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), tilt)
+
     def test_a_folder_that_takes_no_file_fails_before_the_render(self):
         out = self.path("out")
         if os.geteuid() == 0:
