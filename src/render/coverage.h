@@ -27,6 +27,10 @@ bool can_sample(std::string_view vertices, SourceKind source, SensorKind sensor,
 // Such a path carries light at all: a pinhole sees no source without extent, not even in a mirror.
 bool is_measurable(std::string_view vertices, SourceKind source, SensorKind sensor);
 
+// First light on so small patches is what eye paths miss for long, with errors that know nothing of it: from an even
+// illuminance of a room (about 2) to a pendant below a ceiling (tens) they find it.
+inline constexpr float concentrated = 64;
+
 // A line for each kind of light of the scene that the set cannot sample, the shortest paths of it: which emitters, by
 // way of which surfaces.
 std::vector<std::string> missing_light(const Snapshot& scene, const TransportSettings& settings);

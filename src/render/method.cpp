@@ -19,10 +19,6 @@ constexpr uint32_t hit = UPS_TECHNIQUE_EMITTER_HIT, light_sample = UPS_TECHNIQUE
                    merge = UPS_TECHNIQUE_MERGE, sensor_hit = UPS_TECHNIQUE_SENSOR_HIT,
                    mirror_sample = UPS_TECHNIQUE_MIRROR_SAMPLE;
 
-// First light on so small patches is what eye paths miss for long, with errors that know nothing of it: from an even
-// illuminance of a room (about 2) to a pendant below a ceiling (tens) they find it.
-constexpr float concentrated = 64;
-
 // Without a caster that is sharp, and where eye paths reach all light, photons add nothing that eye paths lack.
 int32_t automatic(const Snapshot& scene, const Sensors& s) {
   if (s.goniometers) return s.cameras || s.points || s.cells ? UPS_METHOD_UPS : UPS_METHOD_LIGHT_TRACING;

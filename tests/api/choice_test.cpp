@@ -159,6 +159,21 @@ TEST_F(Choice, AMethodThatWasAskedForIsNoChoice) {
   expect_given(masked, points, eye, UPS_PHOTONS_NONE);
 }
 
+// A lamp a tenth of a millimetre below the ceiling, which it lights above all: paths from the meters hardly find it.
+TEST(ChoiceByTheCaller, IsToldOfFirstLightThatEyePathsMiss) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 3, 2.5}).flipped(), matte(0.5));
+  scene.add_point_light({2, 1.5, 2.4999}, 1000);
+  scene.add_meters({{1, 1, 0.75}}, {0, 0, 1});
+  const auto warnings = [&](ups_method method) {
+    return scene.render({.method = method, .iterations = 64}).text(UPS_TEXT_WARNINGS);
+  };
+  EXPECT_NE(warnings(UPS_METHOD_PATH_TRACING).find("readings may be too low, whatever their bounds say"),
+            std::string::npos);
+  for (const ups_method finds : {UPS_METHOD_AUTO, UPS_METHOD_UPS, UPS_METHOD_BIDIRECTIONAL})
+    EXPECT_EQ(warnings(finds).find("too low"), std::string::npos) << finds;
+}
+
 TEST_F(Choice, BesideAGoniometerNothingIsChosen) {
   const Sensor goniometer = scene.add_goniometer(4, 7);
   const Result result = scene.render({.method = UPS_METHOD_AUTO, .iterations = 2});
