@@ -14,8 +14,9 @@ namespace {
 
 // Embree takes rays into an instance's frame in float. Where that would lose many digits the instance is baked: a
 // transform that stretches one way more than another by max_stretch, or a translation beyond max_reach times the
-// scene's extent; of a mesh that might as well be baked, less.
-constexpr double max_stretch = 4, max_reach = 4, max_reach_alone = 2;
+// scene's extent; of a mesh that might as well be baked, less. Where the scale's cube or its inverse leaves a float's range
+// rays would meet nothing: beyond max_scale either way.
+constexpr double max_stretch = 4, max_reach = 4, max_reach_alone = 2, max_scale = 1e6;
 // Baked triangles of one index without groups: as many as are built in some 45 ms by one thread. Where there are more, a
 // mesh of so many may have an index of its own, so that the others need no groups.
 constexpr size_t flat_triangles = 3 << 15, least_own_triangles = 1 << 12;
@@ -67,7 +68,9 @@ std::vector<bool> choose_baked(const std::vector<std::shared_ptr<const Mesh>>& m
     extent = std::max({extent, max_abs(box.lower), max_abs(box.upper)});
   }
   const auto is_exact = [&](const Raytracer::Instance& i, double reach) {
-    return stretch(i.to_scene) <= max_stretch && max_abs(i.to_scene.column(3)) <= reach * extent;
+    const double scale = std::cbrt(std::abs(i.to_scene.determinant()));
+    return stretch(i.to_scene) <= max_stretch && max_abs(i.to_scene.column(3)) <= reach * extent &&
+           scale >= 1 / max_scale && scale <= max_scale;
   };
   const auto count = [&](size_t k) { return meshes[instances[k].mesh]->triangle_count(); };
   std::vector<bool> baked;

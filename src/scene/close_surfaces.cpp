@@ -16,22 +16,43 @@ namespace {
 
 constexpr uint32_t fewest = 8, usual = 64, most = 1u << 12, most_of_all = 1u << 17;  // points of an instance
 
-// The share of an instance's area where is_so(point), by points on its triangles, of which each has some.
+// The share of an instance's area where is_so(point), by points on its triangles. Where there are enough, each triangle
+// has some; else each as far as they go, as small ones may be what matters, and the others lie by area, as a large face may
+// be of two triangles. Weights are those of the balance heuristic.
 template <class IsSo>
 float share_of(const Snapshot& scene, uint32_t instance, size_t instances, const IsSo& is_so) {
   const Mesh& mesh = *scene.meshes[scene.instances[instance].mesh];
+  const Affine& to_scene = scene.instances[instance].to_scene;
   const uint32_t triangles = mesh.triangle_count();
-  const uint32_t wanted = std::clamp(4 * triangles, usual, most),
-                 points = std::clamp(uint32_t(most_of_all / instances), fewest, wanted);
-  double so = 0, all = 0;
-  for (uint32_t i = 0; i < points && triangles > 0; ++i) {
-    const auto u = philox({i, 6, instance, 0}, {0, 0});
+  if (triangles == 0) return 0;
+  const uint32_t wanted = uint32_t(std::clamp<uint64_t>(4 * uint64_t(triangles), usual, most)),
+                 points = std::clamp(uint32_t(most_of_all / instances), fewest, wanted),
+                 in_turn = 4 * uint64_t(triangles) <= points ? points : std::clamp(triangles, points / 2, points),
+                 by_area = points - in_turn;
+  const auto area_of = [&](uint32_t triangle) {
+    const auto corner = [&](size_t k) {
+      return to_scene.point(Vec3d(mesh.positions[mesh.indices[3 * size_t(triangle) + k]]));
+    };
+    return 0.5 * length(cross(corner(1) - corner(0), corner(2) - corner(0)));
+  };
+  double so = 0, all = 0, total = 0;
+  const auto look_at = [&](uint32_t point, uint32_t triangle) {
+    const double area = area_of(triangle);
+    if (!(area > 0)) return;
+    const auto u = philox({point, 6, instance, 0}, {0, 0});
     const float a = std::sqrt(to_unit_float(u[0])), b = to_unit_float(u[1]);
-    const auto triangle = uint32_t(uint64_t(i) * triangles / points);
-    const auto corner = [&](size_t k) { return Vec3d(mesh.positions[mesh.indices[3 * size_t(triangle) + k]]); };
-    const double area = length(cross(corner(1) - corner(0), corner(2) - corner(0)));
-    all += area;
-    if (is_so(scene.raytracer->surface_at(instance, triangle, a * (1 - b), a * b))) so += area;
+    const double weight = by_area == 0 ? area : 1 / (in_turn / (triangles * area) + by_area / total);
+    all += weight;
+    if (is_so(scene.raytracer->surface_at(instance, triangle, a * (1 - b), a * b))) so += weight;
+  };
+  for (uint32_t t = 0; t < triangles && by_area > 0; ++t) total += area_of(t);
+  for (uint32_t i = 0; i < in_turn; ++i) look_at(i, uint32_t(uint64_t(i) * triangles / in_turn));
+  double up_to = 0;
+  uint32_t triangle = 0;
+  for (uint32_t i = 0; i < by_area && total > 0; ++i) {
+    const double at = (i + double(to_unit_float(philox({i, 6, instance, 1}, {0, 0})[0]))) / by_area * total;
+    for (double area; triangle + 1 < triangles && up_to + (area = area_of(triangle)) <= at; ++triangle) up_to += area;
+    look_at(in_turn + i, triangle);
   }
   return all > 0 ? float(so / all) : 0;
 }

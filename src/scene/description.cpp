@@ -299,8 +299,10 @@ InstanceDescription Description::read(const ups_instance_desc& d, bool of_fixtur
   return {number_of(d.mesh.v), to_affine(d.to_world), d.group, of_fixture};
 }
 
-ups_instance_id Description::add_instance(const ups_instance_desc& d, bool of_fixture) {
-  return {add(instances_, read(d, of_fixture))};
+ups_instance_id Description::add_instance(const ups_instance_desc& d, bool of_fixture, bool emits) {
+  InstanceDescription instance = read(d, of_fixture);
+  instance.emits = emits;
+  return {add(instances_, std::move(instance))};
 }
 
 // A fixture alone sets and moves its parts.
@@ -312,8 +314,10 @@ const InstanceDescription& Description::instance_of(ups_instance_id id, bool of_
 }
 
 void Description::set_instance(ups_instance_id id, const ups_instance_desc& d, bool of_fixture) {
-  instance_of(id, of_fixture);
-  set(instances_, id.v, read(d, of_fixture), "instance");
+  const bool emits = instance_of(id, of_fixture).emits;
+  InstanceDescription instance = read(d, of_fixture);
+  instance.emits = emits;
+  set(instances_, id.v, std::move(instance), "instance");
 }
 
 void Description::set_transform(ups_instance_id id, const double (&to_world)[12]) {

@@ -35,6 +35,7 @@ struct InstanceDescription {
   Affine to_world;
   uint32_t group;
   bool of_fixture;  // what it emits is a luminaire's
+  bool emits = false;  // a fixture's emitter, however it is dimmed
 };
 
 struct LightDescription {
@@ -108,7 +109,7 @@ class Description {
   ups_texture_id add_texture(const ups_texture_desc& desc);
   ups_material_id add_material(const ups_material_desc& desc);
   ups_mesh_id add_mesh(const ups_mesh_desc& desc, std::shared_ptr<const Revolution> revolution = nullptr);
-  ups_instance_id add_instance(const ups_instance_desc& desc, bool of_fixture = false);
+  ups_instance_id add_instance(const ups_instance_desc& desc, bool of_fixture = false, bool emits = false);
   ups_luminaire_id add_light(const ups_light_desc& desc);
   ups_luminaire_id add_luminaire(const ups_luminaire_desc& desc, std::shared_ptr<const photometry::Photometry> profile);
   ups_sensor_id add_camera(const ups_camera_desc& desc);

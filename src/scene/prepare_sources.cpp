@@ -144,7 +144,15 @@ void Builder::add_emissive_instances() {
     const InstanceDescription& described = in_.instances().at(out_->instance_ids[i]);
     const Rgb radiance = to_rgb(material.luminance_cd_m2) *
                          (described.of_fixture ? float(in_.maintenance_factor()) : 1.0f);
-    if (is_black(radiance)) continue;
+    const auto add_source = [&] {
+      out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
+      out_->sources.back().of_fixture = described.of_fixture;
+      bound(out_->sources.back(), mesh, instances[i].to_scene);
+    };
+    if (is_black(radiance)) {
+      if (described.emits) add_source();
+      continue;
+    }
     if (mesh.revolution)
       fail_argument("instance " + std::to_string(out_->instance_ids[i]) + ": its material has a luminance, and it is the " +
                     "curved part of a fixture, whose triangles rays do not meet; its light would be that of an emitter of " +
@@ -171,9 +179,7 @@ void Builder::add_emissive_instances() {
     const SurfacePoint s = out_->raytracer->surface_at(i, 0, 1 / 3.0f, 1 / 3.0f);
     emitter->set_least_error(s.error);
     const std::string name = "instance " + std::to_string(out_->instance_ids[i]);
-    out_->sources.push_back({UPS_SOURCE_INSTANCE, out_->instance_ids[i], described.group, -1, described.to_world});
-    out_->sources.back().of_fixture = described.of_fixture;
-    bound(out_->sources.back(), mesh, instances[i].to_scene);
+    add_source();
     if (probe.lies_in_another < 0) {
       probe.lies_in_another = both_sides && lies_in_another(*out_, *emitter, i);
       probe.starts_beyond = both_sides ? none : starts_beyond(*out_, *emitter, i);

@@ -69,6 +69,14 @@ TEST_F(Fixtures, AreDimmedMovedScaledAndRemoved) {
   EXPECT_NEAR(scene_info().emitted_flux_lm, 1600, 0.1);
   EXPECT_OK(ups_scene_set_fixture_dimming(scene, first, 0));
   EXPECT_NEAR(scene_info().emitted_flux_lm, 600, 0.1);
+  uint32_t sources = 0;
+  EXPECT_OK(ups_scene_get_source_count(scene, &sources));
+  ASSERT_EQ(sources, 2u) << "what is dark is listed, too";
+  ups_scene_source dark{};
+  dark.struct_size = sizeof dark;
+  EXPECT_OK(ups_scene_get_source(scene, 0, &dark));
+  EXPECT_EQ(dark.flux_lm, 0);
+  EXPECT_NEAR(dark.bounds_max_m[0], 0.01, 1e-4);
   EXPECT_OK(ups_scene_set_maintenance_factor(scene, 0.75));
   EXPECT_NEAR(scene_info().emitted_flux_lm, 450, 0.1);
   EXPECT_OK(ups_scene_set_maintenance_factor(scene, 1));

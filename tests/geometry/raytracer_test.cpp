@@ -95,6 +95,22 @@ TEST(Instances, AreWhatBakedCopiesAre) {
   EXPECT_LE(differing, 6);
 }
 
+// Of whatever size the mesh is drawn.
+TEST(Instances, AreMetAtAnyScale) {
+  for (const double scale : {1e-18, 1e-13, 1e-7, 1e-3, 1e3, 1e7, 1e13, 1e18}) {
+    const float size = float(1 / scale);
+    const Vec3d x(scale, 0, 0), y(0, scale, 0), z(0, 0, scale);
+    const Rig rig({box({-size, -size, -size}, {size, size, size})},
+                  {{0, affine(x, y, z, {5, 0, 0})}, {0, affine(x, y, z, {-5, 0, 0})}});
+    for (uint32_t i = 0; i < 2; ++i) {
+      Hit hit;
+      ASSERT_TRUE(rig.tracer->intersect(Vec3(i == 0 ? 5 : -5, 0.1f, 3), Vec3(0, 0, -1), infinity, hit)) << scale;
+      EXPECT_EQ(hit.instance, i);
+      EXPECT_NEAR(rig.tracer->surface_at(hit).p.z, 1, 1e-4) << scale;
+    }
+  }
+}
+
 TEST(Sides, MirroringKeepsTheOutsideOutside) {
   const Affine mirror = affine({-2, 0, 0}, {0, 1, 0}, {0, 0, 1}, {10, 0, 0}),
                plain = affine({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-10, 0, 0});

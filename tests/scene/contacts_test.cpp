@@ -80,6 +80,57 @@ TEST(Contacts, TheirSearchIsCancelled) {
   EXPECT_TRUE(again->instances == expected->instances);
 }
 
+// A block of 1 m on z = 0 whose lower face is of two triangles, the other faces of 60 x 60 squares each.
+void add_fine_block(Things& t, uint32_t material) {
+  std::vector<float> p;
+  std::vector<uint32_t> corners;
+  const auto face = [&](const Vec3& at, const Vec3& a, const Vec3& b, uint32_t side) {
+    const uint32_t first = uint32_t(p.size() / 3);
+    for (uint32_t j = 0; j <= side; ++j)
+      for (uint32_t i = 0; i <= side; ++i) {
+        const Vec3 corner = at + a * (float(i) / float(side)) + b * (float(j) / float(side));
+        p.insert(p.end(), {corner.x, corner.y, corner.z});
+        const uint32_t k = first + j * (side + 1) + i, next = k + side + 1;
+        if (i < side && j < side) corners.insert(corners.end(), {k, k + 1, next + 1, k, next + 1, next});
+      }
+  };
+  const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), none(0, 0, 0);
+  face(none, x, z, 60), face(z, x, y, 60), face(x, y, z, 60), face(y, z, x, 60), face(none, z, y, 60);
+  face(none, y, x, 1);
+  ups_mesh_desc m{};
+  m.vertex_count = uint32_t(p.size() / 3), m.triangle_count = uint32_t(corners.size() / 3);
+  m.material.v = material;
+  m.positions_m = p.data(), m.indices = corners.data();
+  ups_instance_desc d{};
+  d.mesh = t.description.add_mesh(m);
+  d.to_world[0] = d.to_world[5] = d.to_world[10] = 1;
+  t.description.add_instance(d);
+}
+
+// However many triangles there are beside the face that lies on another surface, and however it is scaled: shares are of
+// areas in the scene, here of a slab of 1 x 1 x 0.004 m.
+TEST(CloseSurfaces, AreFoundByArea) {
+  for (const ups_material_model model : {UPS_MATERIAL_GLASS, UPS_MATERIAL_GLAZING}) {
+    Things t;
+    t.sheet(t.material(UPS_MATERIAL_MATTE), 1, 0);
+    add_fine_block(t, t.material(model));
+    const auto scene = t.build();
+    if (model == UPS_MATERIAL_GLASS) {
+      EXPECT_TRUE(scene->panes.is_touched_glass(1));
+      continue;
+    }
+    ASSERT_EQ(scene->panes.on_surfaces.size(), 1u);
+    EXPECT_EQ(scene->panes.on_surfaces[0].opaque, 0u);
+    EXPECT_NEAR(scene->panes.on_surfaces[0].covered, 1 / 6.0, 0.03);
+  }
+  Things t;
+  t.sheet(t.material(UPS_MATERIAL_MATTE), 1, 0);
+  t.box(t.material(UPS_MATERIAL_GLAZING), {0, 0, 0}, {1, 1, 0.004});
+  const auto scene = t.build();
+  ASSERT_EQ(scene->panes.on_surfaces.size(), 1u);
+  EXPECT_NEAR(scene->panes.on_surfaces[0].covered, 1 / 2.016, 0.01);
+}
+
 // A contact that is known holds as long as what was searched is the same: a mesh that is there twice is traced another
 // way than one that is there once, and has other errors; one with holes may not be touched. As a build without an earlier
 // one, to the bit.
