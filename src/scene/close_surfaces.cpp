@@ -103,6 +103,30 @@ std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadP
   return found;
 }
 
+std::vector<SheetOnSurface> find_sheets_on_surfaces(const Snapshot& scene, ThreadPool& pool, const Monitor* monitor) {
+  std::vector<SheetOnSurface> found;
+  for (uint32_t i = 0; i < scene.instances.size(); ++i)
+    if (traits_of(material_of(scene, i)).transmits && scene.media.of_instance[i] == none && !scene.panes.is_crossed(i))
+      found.push_back({i, none, 0, 0});
+  parallel_for(pool, found.size(), [&](size_t i) {
+    if (monitor) monitor->check();
+    SheetOnSurface& sheet = found[i];
+    std::vector<Hit> hits;
+    sheet.covered = share_of(scene, sheet.instance, found.size(), [&](const SurfacePoint& s) {
+      hits.clear();
+      scene.raytracer->intersect_all(s.p - s.ng * (2 * s.error), s.ng, 4 * s.error, hits);
+      for (const Hit& hit : hits)
+        if (stops_light(scene, hit.instance)) {
+          sheet.opaque = hit.instance, sheet.resolved_m = std::max(sheet.resolved_m, 2 * s.error);
+          return true;
+        }
+      return false;
+    });
+  });
+  std::erase_if(found, [](const SheetOnSurface& s) { return s.opaque == none; });
+  return found;
+}
+
 bool stops_light(const Snapshot& scene, uint32_t instance) {
   return scene.media.of_instance[instance] == none && !scene.panes.is_crossed(instance) &&
          scene.emitter_of_instance[instance] == none && !traits_of(material_of(scene, instance)).transmits;

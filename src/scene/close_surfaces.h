@@ -13,6 +13,15 @@ namespace ups {
 // The ray tracer must find all hits. By so many points that what is smaller than a tenth of a pane may be missed.
 std::vector<PaneOnSurface> find_panes_on_surfaces(const Snapshot& scene, ThreadPool& pool, Monitor& monitor);
 
+// What lets light through and scatters it, such as a diffuser, within reach of what no light goes through: what goes
+// through there starts behind that.
+struct SheetOnSurface {
+  uint32_t instance, opaque;
+  float covered;     // share of its area
+  float resolved_m;  // farther apart they are told apart
+};
+std::vector<SheetOnSurface> find_sheets_on_surfaces(const Snapshot& scene, ThreadPool& pool, const Monitor* monitor);
+
 // Solids of glass a face of which lies on what no light goes through, and shines not: what a ray beyond the face would
 // start behind.
 std::vector<uint32_t> find_touched_glass(const Snapshot& scene, ThreadPool& pool, Monitor& monitor);

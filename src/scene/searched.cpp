@@ -104,6 +104,17 @@ void find_overlaid_surfaces(const Snapshot& scene, ThreadPool& threads, const Mo
                  length_text(double(resolved_m)) + " or more, or cut an opening");
 }
 
+void find_covered_sheets(const Snapshot& scene, ThreadPool& pool, const Monitor* monitor, Warnings& warn) {
+  constexpr float told = 0.25f;
+  for (const SheetOnSurface& sheet : find_sheets_on_surfaces(scene, pool, monitor))
+    if (sheet.covered > told)
+      warn.push_back("instance " + std::to_string(scene.instance_ids[sheet.instance]) +
+                     ": it lets light through, and lies on instance " +
+                     std::to_string(scene.instance_ids[sheet.opaque]) +
+                     ", which no light goes through: what should meet that starts behind it and is lost; move it off by " +
+                     length_text(double(sheet.resolved_m)) + " or more, or cut an opening there");
+}
+
 template <class Find>
 void search(SearchedWarnings& searched, Warnings& out, const Find& find) {
   const std::lock_guard alone(searched.searching);
@@ -125,6 +136,7 @@ std::vector<std::string> searched_warnings(const Snapshot& scene, ThreadPool& po
   search(*scene.surface_search, out, [&](Warnings& found) {
     for (const auto find : {find_overlaps, find_odd_triangles, find_glass_without_room}) run(find, found);
     find_overlaid_surfaces(scene, pool, monitor, found);
+    find_covered_sheets(scene, pool, monitor, found);
   });
   search(*scene.light_search, out, [&](Warnings& found) { run(find_swallowed, found); });
   return out;

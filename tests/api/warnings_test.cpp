@@ -307,6 +307,20 @@ TEST(SceneWarnings, PanesWithABlendedAlpha) {
   EXPECT_EQ(told(1), "");
 }
 
+// What goes through it would start beneath the floor.
+TEST(SceneWarnings, ADiffuserOnTheFloor) {
+  const auto told = [](double z) {
+    Room room;
+    auto sheet = material(UPS_MATERIAL_DIFFUSER, 0.35);
+    for (float& t : sheet.transmittance_rgb) t = 0.6f;
+    room.add(quad({1, 1, z}, {2, 0, 0}, {0, 2, 0}), sheet);
+    return room.warnings();
+  };
+  for (const double z : {0.0, 2e-6})
+    EXPECT_TRUE(tells(told(z), {"instance 2: it lets light through, and lies on instance 1", "move it off by"})) << z;
+  EXPECT_EQ(told(0.001), "");
+}
+
 // Before: the mean of the texture's corners was taken without a word.
 TEST(SceneWarnings, TexturesOfAMeshWithoutUvs) {
   const auto told = [](uint32_t side, bool uvs) {
