@@ -91,7 +91,7 @@ struct StoredPlanes {
   std::vector<double> c_deg;
   std::vector<size_t> index;
 };
-StoredPlanes stored_planes(const Distribution& d) {
+StoredPlanes stored_planes(const Distribution& d, Symmetry symmetry) {
   const std::vector<double>& c = d.c_deg();
   StoredPlanes out{0, c, {}};
   const auto add = [&](double a, double b) {
@@ -101,7 +101,7 @@ StoredPlanes stored_planes(const Distribution& d) {
   for (double& angle : out.c_deg)
     for (double nominal : {90.0, 180.0, 270.0})
       if (std::abs(angle - nominal) < 1e-9) angle = nominal;
-  switch (symmetry_of(d)) {
+  switch (symmetry) {
     case Symmetry::axial:
       return {1, {0}, {0}};
     case Symmetry::c0_c180:
@@ -245,8 +245,9 @@ void add_direct_ratios(const std::vector<Keyword>& keywords, EulumdatFields& out
 std::string write_eulumdat(const Photometry& p, std::vector<std::string>* warnings) {
   std::vector<std::string> cut;
   EulumdatFields out(cut);
-  const Distribution d = in_fields(closed(in_c_gamma(p.distribution)));
-  const StoredPlanes planes = stored_planes(d);
+  // The symmetry is that of the angles as they are: 354.375, the image of 5.625, is 354.38 in its field.
+  const Distribution exact = closed(in_c_gamma(p.distribution)), d = in_fields(exact);
+  const StoredPlanes planes = stored_planes(d, symmetry_of(exact));
   bool absolute;
   const double flux = reference_flux(p, absolute), per_klm = 1000 / flux,
                factor = conversion_factor(d.peak_cd() * per_klm);

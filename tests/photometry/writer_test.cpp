@@ -100,6 +100,12 @@ TEST(Writer, SymmetriesTakeTheFewestPlanes) {
     expect_same(again(write_ies(p)).distribution, p.distribution);
     expect_same(again(write_eulumdat(p)).distribution, p.distribution, six_characters);
   }
+  std::vector<double> c, cd;  // 5.625 degrees fit their field, 354.375 do not
+  for (int i = 0; i < 64; ++i)
+    c.push_back(5.625 * i), cd.push_back(10), cd.push_back(5 + std::round(1000 * std::cos(2 * rad(c[size_t(i)]))) / 1000);
+  const Photometry fine{Distribution(c, {0, 90}, cd)};
+  EXPECT_NE(write_eulumdat(fine).find("\r\n4\r\n64\r\n"), std::string::npos) << write_eulumdat(fine).substr(0, 60);
+  EXPECT_EQ(again(write_eulumdat(fine)).symmetry, Symmetry::quadrants);
 }
 
 // Planes that lack the place where mirror images meet, or are not evenly spaced, are written whole.
