@@ -27,7 +27,9 @@ float share_of(const Snapshot& scene, uint32_t instance, size_t instances, const
   if (triangles == 0) return 0;
   const uint32_t wanted = uint32_t(std::clamp<uint64_t>(4 * uint64_t(triangles), usual, most)),
                  points = std::clamp(uint32_t(most_of_all / instances), fewest, wanted),
-                 in_turn = 4 * uint64_t(triangles) <= points ? points : std::clamp(triangles, points / 2, points),
+                 in_turn = 4 * uint64_t(triangles) <= points ? points
+                           : triangles <= points             ? std::max(triangles, points / 2)
+                                                             : points / 2,
                  by_area = points - in_turn;
   const auto area_of = [&](uint32_t triangle) {
     const auto corner = [&](size_t k) {
@@ -62,6 +64,14 @@ float passed(const Snapshot& scene, const SurfacePoint& s) { return 2 * s.error 
 
 const Material& material_of(const Snapshot& scene, uint32_t instance) {
   return scene.materials[scene.instances[instance].material];
+}
+
+// Against n.
+template <class Random>
+Vec3 aslant(const Vec3& n, const Random& u) {
+  constexpr float most = 0.5f;
+  const auto slant = [&](size_t k) { return most * (2 * to_unit_float(u[k]) - 1); };
+  return Frame(n).to_world(normalize(Vec3(slant(0), slant(1), -1)));
 }
 
 std::vector<uint32_t> solids_of_glass(const Snapshot& scene) {
@@ -108,18 +118,22 @@ std::vector<SheetOnSurface> find_sheets_on_surfaces(const Snapshot& scene, Threa
   for (uint32_t i = 0; i < scene.instances.size(); ++i)
     if (traits_of(material_of(scene, i)).transmits && scene.media.of_instance[i] == none && !scene.panes.is_crossed(i))
       found.push_back({i, none, 0, 0});
+  // Rays from either side, aslant, each in its own way: of two surfaces in one plane rounding decides which one is met.
+  constexpr uint32_t rays = 8;
   parallel_for(pool, found.size(), [&](size_t i) {
     if (monitor) monitor->check();
     SheetOnSurface& sheet = found[i];
-    std::vector<Hit> hits;
+    uint32_t point = 0;
     sheet.covered = share_of(scene, sheet.instance, found.size(), [&](const SurfacePoint& s) {
-      hits.clear();
-      scene.raytracer->intersect_all(s.p - s.ng * (2 * s.error), s.ng, 4 * s.error, hits);
-      for (const Hit& hit : hits)
-        if (stops_light(scene, hit.instance)) {
-          sheet.opaque = hit.instance, sheet.resolved_m = std::max(sheet.resolved_m, 2 * s.error);
-          return true;
-        }
+      ++point;
+      const float reach = 2 * s.error;
+      for (uint32_t ray = 0; ray < rays; ++ray) {
+        const Vec3 d = aslant(ray % 2 ? -s.ng : s.ng, philox({point, ray, sheet.instance, 2}, {0, 0}));
+        Hit hit;
+        if (!scene.raytracer->intersect(s.p - d * reach, d, 2 * reach, hit) || !stops_light(scene, hit.instance)) continue;
+        sheet.opaque = hit.instance, sheet.resolved_m = std::max(sheet.resolved_m, reach);
+        return true;
+      }
       return false;
     });
   });
@@ -173,7 +187,7 @@ bool looks_alike(const Material& a, const Material& b) {
 // As near as rounding decides: a quarter of what rays are lifted by. none: there is no such surface, or one that faces the
 // other way covers both, as a floor covers the lower faces of what stands on it.
 uint32_t met_in_plane(const Snapshot& scene, uint32_t instance, const SurfacePoint& s) {
-  constexpr float most_slant = 0.5f, parallel = 0.9999f;
+  constexpr float parallel = 0.9999f;
   constexpr uint32_t rays = 4, rays_once_met = 32;  // as only one of three is met, as rounding has it
   const auto bits = [](float v) { return std::bit_cast<uint32_t>(v); };
   const auto is_other = [&](uint32_t other) {
@@ -183,9 +197,7 @@ uint32_t met_in_plane(const Snapshot& scene, uint32_t instance, const SurfacePoi
   const float gap = 0.25f * s.error;
   uint32_t met = none;
   for (uint32_t ray = 0; ray < (met == none ? rays : rays_once_met); ++ray) {
-    const auto u = philox({bits(s.p.x), bits(s.p.y), bits(s.p.z), ray}, {0, 0});
-    const auto slant = [&](size_t k) { return most_slant * (2 * to_unit_float(u[k]) - 1); };
-    const Vec3 d = Frame(s.ng).to_world(normalize(Vec3(slant(0), slant(1), -1)));
+    const Vec3 d = aslant(s.ng, philox({bits(s.p.x), bits(s.p.y), bits(s.p.z), ray}, {0, 0}));
     Hit hit;
     if (!scene.raytracer->intersect(s.p - d * gap, d, 2 * gap, hit) || hit.instance == instance ||
         !is_opaque(scene, hit.instance))

@@ -97,6 +97,7 @@ class MeterTable {
 
 // Of a grid of a single row or column, whose steps are even; 0: they are none.
 uint32_t columns_of_line(const std::vector<MeterPoint>& points) {
+  if (points.front().area_m2 > 0) return 0;  // triangles of a surface
   const double last = double(points.size() - 1);
   double step[3] = {}, length2 = 0;
   for (size_t k = 0; k < 3 && last > 0; ++k) {

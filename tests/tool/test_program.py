@@ -540,7 +540,7 @@ class Render(ProgramTest):
         tilt = "1\n2\n0 90\n1 0.9\n"
         self.write("spot.csv", tilt)
         scene = room()
-        scene["nodes"][2]["extras"]["ups"]["meters"]["name"] = "spot"
+        scene["nodes"][1]["extras"] = {"ups": {"luminaire": {"file": "lamp.ies"}}}
         self.expect_failure("render", self.write("room.gltf", scene), "--time", 1000, "--out", ".",
                             words=["--out", "spot.csv", "the scene room.gltf reads"])
         with open(self.path("spot.csv"), encoding="utf-8") as file:
