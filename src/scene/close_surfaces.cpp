@@ -69,8 +69,8 @@ const Material& material_of(const Snapshot& scene, uint32_t instance) {
 // Against n.
 template <class Random>
 Vec3 aslant(const Vec3& n, const Random& u) {
-  constexpr float most = 0.5f;
-  const auto slant = [&](size_t k) { return most * (2 * to_unit_float(u[k]) - 1); };
+  constexpr float most_slant = 0.5f;
+  const auto slant = [&](size_t k) { return most_slant * (2 * to_unit_float(u[k]) - 1); };
   return Frame(n).to_world(normalize(Vec3(slant(0), slant(1), -1)));
 }
 
