@@ -12,8 +12,7 @@ struct OwnBias {
   Spread bias;
   double lx, bias_scale;
   double scale() const { return bias_scale > 0 ? lx * bias_scale : lx; }
-  // By chance alone one meter in 400 has 3 standard errors, one in 20 has 2.
-  bool is_beyond_doubt() const { return std::abs(bias.mean) > 3 * bias.standard_error; }
+  bool is_beyond_doubt() const { return std::abs(bias.mean) > 2 * bias.standard_error; }
 };
 
 // By how light goes on from narrow discs to wide ones, and leans to one side, at a set's meters. An edge beside a meter
