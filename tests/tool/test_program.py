@@ -542,7 +542,7 @@ class Render(ProgramTest):
         scene = room()
         scene["nodes"][1]["extras"] = {"ups": {"luminaire": {"file": "lamp.ies"}}}
         self.expect_failure("render", self.write("room.gltf", scene), "--time", 1000, "--out", ".",
-                            words=["--out", "spot.csv", "the scene room.gltf reads"])
+                            words=["--out", "spot.csv", "room.gltf reads"])
         with open(self.path("spot.csv"), encoding="utf-8") as file:
             self.assertEqual(file.read(), tilt)
 
