@@ -243,34 +243,36 @@ TEST(MeterLight, DirectLightHasNoErrorOfPhotonsThatBringNone) {
   EXPECT_GE(light.part(UPS_LIGHT_PART_DIRECT).error_bound_lx, 20) << "where photons bring it, too";
 }
 
-// Of a light vector along (0.6, 0.8, 0): what caustics end beside it, and of how few photons the doubt is that is widest.
-TEST(VectorLight, KnowsItsSidesCaustics) {
+// A vector's sides, visited once a batch, as `fill` has them: of a side its light, axis and number.
+struct SixSides {
   std::array<MeterLight, vector_sides> sides{};
   VectorLight::Sides all;
-  for (uint32_t i = 0; i < vector_sides; ++i) {
-    const Vec3 axis = axis_of_side(i);
-    MeterLight& side = sides[i];
-    all[i] = &side;
-    side.visits = batch_count;
+  template <class Fill>
+  explicit SixSides(const Fill& fill) {
+    for (uint32_t i = 0; i < vector_sides; ++i) {
+      all[i] = &sides[i];
+      sides[i].visits = batch_count;
+      fill(sides[i], axis_of_side(i), i);
+    }
+  }
+};
+
+// Of a light vector along (0.6, 0.8, 0): what caustics end beside it, and of how few photons the doubt is that is widest.
+TEST(VectorLight, KnowsItsSidesCaustics) {
+  const SixSides six([](MeterLight& side, const Vec3& axis, uint32_t) {
     std::fill_n(side.sums.value, batch_count, axis.x > 0.5f ? 6 : axis.y > 0.5f ? 8 : 0);
     side.sums.paths.fill({1, 100}), side.sums.batches.fill(0xffff);
     if (axis.x > 0.5f) side.edge = 5, side.sums.caustics = 20, side.photons.caustic.chance = 2;
     if (axis.y > 0.5f) side.edge = 10, side.sums.caustics = 30, side.photons.caustic.chance = 1;
-  }
-  const MeterLight length = VectorLight(all, 1).length(whole_light);
+  });
+  const MeterLight length = VectorLight(six.all, 1).length(whole_light);
   EXPECT_NEAR(length.edge, std::hypot(0.6 * 5, 0.8 * 10), 1e-6);
   EXPECT_EQ(length.sums.caustics, 20u);
 }
 
 // Along x: what the other axes' sides know is nothing of it, nor do their paths weigh in it.
 TEST(VectorLight, OfAComponentItsOwnSidesTell) {
-  std::array<MeterLight, vector_sides> sides{};
-  VectorLight::Sides all;
-  for (uint32_t i = 0; i < vector_sides; ++i) {
-    const Vec3 axis = axis_of_side(i);
-    MeterLight& side = sides[i];
-    all[i] = &side;
-    side.visits = batch_count;
+  const SixSides six([](MeterLight& side, const Vec3& axis, uint32_t i) {
     side.largest.fill(1000);
     if (axis.x != 0) {
       side.sums.value[i] = 3;
@@ -279,8 +281,8 @@ TEST(VectorLight, OfAComponentItsOwnSidesTell) {
       for (uint32_t b = 0; b < batch_count; ++b) side.sums.value[b] = 500 + b % 2;
       side.sums.paths.fill({400, 100}), side.sums.batches.fill(0xffff);
     }
-  }
-  const auto whole = VectorLight(all, 1).components()[size_t(UPS_LIGHT_PART_ALL)];
+  });
+  const auto whole = VectorLight(six.all, 1).components()[size_t(UPS_LIGHT_PART_ALL)];
   EXPECT_EQ(whole.standard_error_lx[0], -1) << "two paths tell none";
   EXPECT_GT(whole.error_bound_lx[0], 1000 / 16.0);
   EXPECT_GE(whole.standard_error_lx[1], 0);
@@ -288,19 +290,13 @@ TEST(VectorLight, OfAComponentItsOwnSidesTell) {
 
 // A path of a side that lies across the vector weighs by its share of it.
 TEST(VectorLight, WeighsPathsAlongIt) {
-  std::array<MeterLight, vector_sides> sides{};
-  VectorLight::Sides all;
-  for (uint32_t i = 0; i < vector_sides; ++i) {
-    const Vec3 axis = axis_of_side(i);
-    MeterLight& side = sides[i];
-    all[i] = &side;
-    side.visits = batch_count;
+  const SixSides six([](MeterLight& side, const Vec3& axis, uint32_t) {
     for (uint32_t b = 0; b < batch_count; ++b)
       side.sums.value[b] = axis.x > 0.5f ? 1000 + b % 2 : axis.y > 0.5f && b == 3 ? 16 : 0;
     side.sums.paths.fill({axis.y > 0.5f ? 16.0f : 1.0f, 16000}), side.sums.batches.fill(0xffff);
     if (axis.y > 0.5f) side.sums.largest_batch = 3;
-  }
-  const MeterLight length = VectorLight(all, 1).length(whole_light);
+  });
+  const MeterLight length = VectorLight(six.all, 1).length(whole_light);
   EXPECT_EQ(length.flags(length.reading()), 0u) << "1 lx across 1000: 0.001 of the path";
 }
 
