@@ -286,8 +286,8 @@ typedef struct ups_segment { /* a plain array element: it never grows */
   double from_m[3], to_m[3];
 } ups_segment;
 /* One segment for each triangle that reaches from one side of the plane to the other, or stands on it by an edge, on the
- * side that the normal points to; those that lie within it have none. normal: any length > 0. *needed gets their number; BUFFER_TOO_SMALL where capacity is less. segments may be NULL
- * with capacity 0. */
+ * side that the normal points to; those that lie within it have none. normal: any length > 0. *needed gets their number;
+ * BUFFER_TOO_SMALL where capacity is less. segments may be NULL with capacity 0. */
 UPS_API ups_status ups_scene_read_section(const ups_scene *scene, const double point_m[3], const double normal[3],
                                           ups_segment *segments, size_t capacity, size_t *needed);
 /* What a plan shows of the things beneath a plane: edges between it and depth_m beneath it (against the normal), where

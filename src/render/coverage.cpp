@@ -200,9 +200,7 @@ std::vector<std::string> missing_light(const Snapshot& scene, const TransportSet
         lines.push_back("light of " + listed(emitters) + remark[int(source)] + " on paths " + letters.words(v) + " - " +
                         name + " is missing: no technique of this set samples it; method ups with all of its has one");
   }
-  constexpr uint32_t from_light = UPS_TECHNIQUE_CONNECT | UPS_TECHNIQUE_SENSOR_CONNECT | UPS_TECHNIQUE_MERGE |
-                                  UPS_TECHNIQUE_SENSOR_HIT;
-  if (!sensors.empty() && scene.effects.concentration >= concentrated && !(of_render.techniques & from_light))
+  if (!sensors.empty() && scene.effects.concentration >= concentrated && !settings.traces_light())
     lines.push_back(
         "light first meets patches of the surfaces that are so small that eye paths find them by chance alone, and no "
         "technique of this set starts paths from the light: readings may be too low, whatever their bounds say; methods "

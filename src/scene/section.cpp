@@ -16,7 +16,8 @@ std::vector<ups_segment> section(const Snapshot& scene, const Vec3d& point, cons
       if ((height[i] > 0) == (height[j] > 0)) continue;
       ends[count++] = p[i] + (p[j] - p[i]) * (height[i] / (height[i] - height[j])) + scene.origin;
     }
-    if (count == 2 && length2(ends[1] - ends[0]) > 0) out.push_back({{ends[0].x, ends[0].y, ends[0].z}, {ends[1].x, ends[1].y, ends[1].z}});
+    if (count == 2 && length2(ends[1] - ends[0]) > 0)
+      out.push_back({{ends[0].x, ends[0].y, ends[0].z}, {ends[1].x, ends[1].y, ends[1].z}});
   });
   return out;
 }

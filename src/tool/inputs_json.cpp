@@ -53,9 +53,11 @@ std::string tilt_file_of(const std::string& file) {
   for (std::string line; std::getline(lines, line);) {
     const size_t equals = std::min(line.find('='), line.size());
     std::string word(trimmed(std::string_view(line).substr(0, equals)));
-    std::transform(word.begin(), word.end(), word.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
+    for (char& c : word)
+      if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
     if (word != "TILT" || equals == line.size()) continue;
-    return platform::find_in_any_case(platform::folder_of(file), std::string(trimmed(std::string_view(line).substr(equals + 1))));
+    const std::string name(trimmed(std::string_view(line).substr(equals + 1)));
+    return platform::find_in_any_case(platform::folder_of(file), name);
   }
   return {};
 }
@@ -64,29 +66,31 @@ std::string tilt_file_of(const std::string& file) {
 class Files {
  public:
   Files(const Json& json, const std::string& folder) : folder_(folder) {
-    for (const char* array : {"/buffers", "/images", "/extensions/EXT_lights_ies/lights"})
-      if (const Json::json_pointer at(array); json.contains(at)) add_uris(json.at(at));
+    for (const char* array : {"/buffers", "/images"})
+      if (const Json::json_pointer at(array); json.contains(at)) add_uris(json.at(at), false);
+    if (const Json::json_pointer at("/extensions/EXT_lights_ies/lights"); json.contains(at)) add_uris(json.at(at), true);
     add_luminaires(json, false);
   }
   std::set<std::string> found;
 
  private:
-  void add(const std::string& name) {
+  void add(const std::string& name, bool photometric) {
     const std::string file = platform::joined(folder_, name);
     found.insert(platform::resolved(file));
+    if (!photometric) return;
     if (const std::string tilt = tilt_file_of(file); !tilt.empty()) found.insert(platform::resolved(tilt));
   }
-  void add_uris(const Json& array) {
+  void add_uris(const Json& array, bool photometric) {
     for (const Json& item : array) {
       if (const auto at = item.find("uri"); item.is_object() && at != item.end() && at->is_string())
         if (const auto& name = at->get_ref<const std::string&>(); !gltf::is_data_uri(name))
-          add(gltf::percent_decoded(name));
+          add(gltf::percent_decoded(name), photometric);
     }
   }
   void add_luminaires(const Json& json, bool ups) {
     for (const auto& [key, value] : json.items()) {
       if (value.is_structured()) add_luminaires(value, ups || key == "ups");
-      if (ups && key == "file" && value.is_string()) add(value.get_ref<const std::string&>());
+      if (ups && key == "file" && value.is_string()) add(value.get_ref<const std::string&>(), true);
     }
   }
   const std::string folder_;
