@@ -40,6 +40,8 @@ constexpr Code codes_1995[] = {
     {"+-+", OpeningShape::cylinder, Extent::as_written, 2},
     {"-+-", OpeningShape::sphere, Extent::as_written, 2},
     {"+--", OpeningShape::sphere, Extent::as_written, 2},
+    {"-+0", OpeningShape::disc, Extent::as_written, 2},  // not in its table: the elliptical cylinders without a height
+    {"+-0", OpeningShape::disc, Extent::as_written, 2},
 };
 constexpr Code codes_2002[] = {
     {"--0", OpeningShape::disc, Extent::as_written, 2},     {"--+", OpeningShape::cylinder, Extent::as_written, 2},

@@ -221,7 +221,8 @@ double projected_area_m2(const Opening& opening, double x, double y, double z) {
     case OpeningShape::box:
       return faces[0] + faces[1] + faces[2];
     case OpeningShape::disc:
-      return pi / 4 * (faces[0] + faces[1] + faces[2]);
+      if (s[0] == 0 || s[1] == 0 || s[2] == 0) return pi / 4 * (faces[0] + faces[1] + faces[2]);
+      [[fallthrough]];  // one with a height shines as a cylinder does
     case OpeningShape::cylinder: {
       // An end, and a side as wide as the elliptical section is across the direction.
       const int k = opening.axis, i = (k + 1) % 3, j = (k + 2) % 3;

@@ -105,6 +105,8 @@ class Accumulator {
   // Of a set's meters as the caller counts them: of vectors, from those of their sides, their lengths.
   std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
+  // Of a meter whose eye paths alone bring it. Visits stand for area, their number in one for light paths.
+  double unfound_by_hits(size_t set, size_t meter, size_t column, double hits, double visits) const;
   CausticSearch search_of_cell(size_t set, size_t meter, size_t column) const;
   CausticSearch search_about_cell(size_t set, size_t meter, size_t column) const;
   CausticSearch search_of_mean(size_t set, const std::vector<MeterLight>& lights) const;

@@ -31,6 +31,12 @@ double Accumulator::largest_path(size_t set, size_t m, size_t column, double dis
   return std::max({double(largest_[set][column][part]), photon, std::max(seen, hit) / plan_.meter_samples});
 }
 
+// The most that one hit brings: an emitter as bright as any, seen in full.
+double Accumulator::unfound_by_hits(size_t set, size_t m, size_t column, double hits, double visits) const {
+  const double most = double(scene_.meter_sets[set].response(m).total()) * emitted_[column].brightest_cd_m2;
+  return CausticSearch{visits, hits}.unfound_lx(most, plan_.meter_samples);
+}
+
 // As long as no light path has met a caster whose light is not that of an image, any might have.
 double Accumulator::brightest_caustic_lm(size_t column) const {
   if (!plan_.seeks_caustics) return 0;
@@ -63,12 +69,20 @@ CausticSearch Accumulator::search_of_mean(size_t set, const std::vector<MeterLig
 
 // Both what each leaves open and what all do holds.
 double Accumulator::unfound_in_mean(size_t set, const std::vector<MeterLight>& lights) const {
+  const bool by_hits = plan_.hits_alone_at(set) && scene_.meter_sets[set].kind != UPS_METER_VECTOR;
   const CausticSearch together = search_of_mean(set, lights);
-  if (!(together.m2 > 0)) return -1;
-  double weights = 0, each = 0;
-  for (const MeterLight& light : lights)
-    if (light.visits > 0) weights += light.weight, each += light.weight * light.unfound[whole_light];
-  return std::min(each / weights, together.unfound_lx(brightest_caustic_lm(0), plan_.light_paths));
+  if (!by_hits && !(together.m2 > 0)) return -1;
+  double weights = 0, each = 0, hits = 0, by_all = 0;
+  for (const MeterLight& light : lights) {
+    if (light.visits == 0) continue;
+    weights += light.weight, each += light.weight * light.unfound[whole_light];
+    hits += light.sums.caustics;
+  }
+  for (size_t m = 0; by_hits && m < lights.size(); ++m)  // any of them may be the one that a path did not find
+    if (lights[m].visits > 0)
+      by_all = std::max(by_all, lights[m].weight * unfound_by_hits(set, m, 0, hits, lights[m].visits));
+  return std::min(each / weights, by_hits ? by_all / weights
+                                          : together.unfound_lx(brightest_caustic_lm(0), plan_.light_paths));
 }
 
 CausticSearch Accumulator::search_of_cell(size_t set, size_t m, size_t column) const {

@@ -84,7 +84,10 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
     light.largest[part] = std::max(largest_path(set, m, column, area, part), double(light.sums.paths[part].largest));
     const bool no_chance = part == direct_light ? plan_.exact_direct : plan_.exact_light;
     light.exact[part] = !(emitted_[column].lm > 0) || (point && no_chance);
-    if (part != direct_light) light.unfound[part] = search.unfound_lx(brightest_caustic_lm(column), plan_.light_paths);
+    if (part != direct_light)
+      light.unfound[part] = plan_.hits_alone_at(set)
+                                ? unfound_by_hits(set, m, column, double(light.sums.caustics), light.visits)
+                                : search.unfound_lx(brightest_caustic_lm(column), plan_.light_paths);
   }
   return light;
 }

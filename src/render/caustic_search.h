@@ -1,5 +1,5 @@
-// Light by way of casters that photons alone bring hides in other light, whose error the batches know, until enough of
-// them have come. Used by the sums of meters and images.
+// Light by way of casters that photons alone bring, or without them eye paths that run into its emitter, hides in other
+// light, whose error the batches know, until enough of them have come. Used by the sums of meters and images.
 #pragma once
 #include "render/zero_bound.h"
 

@@ -14,8 +14,11 @@ namespace ups {
 
 namespace {
 
+// Asked by emissive surfaces, too, before panes are known.
 bool lets_light_by(const Snapshot& scene, const SurfacePoint& s) {
-  return scene.panes.is_crossed(s.instance) || traits_of(scene.materials[s.material]).transmits;
+  const Material& m = scene.materials[s.material];
+  return traits_of(m).transmits || scene.texturing[s.material].alpha_mode == SurfaceTexturing::blend ||
+         (m.model == MaterialModel::glazing && scene.emitter_of_instance[s.instance] == none);
 }
 
 }  // namespace

@@ -135,9 +135,11 @@ SurfaceTexturing Builder::make_texturing(uint32_t number, const MaterialDescript
     t.alpha_mode = SurfaceTexturing::opaque;  // holes in an emitter would have to be left out of its sampling too
     warn_of("material", number, "emits light: the alpha is ignored, so there are no holes in what bears it");
   }
-  if (t.alpha_mode == SurfaceTexturing::blend && d.model == UPS_MATERIAL_GLASS) {
-    t.alpha_mode = SurfaceTexturing::opaque;  // a boundary that is there for some light alone bounds nothing
-    warn_of("material", number, "is of glass, which says itself what it lets through: its blended alpha is ignored");
+  if (t.alpha_mode != SurfaceTexturing::opaque && d.model == UPS_MATERIAL_GLASS) {
+    t.alpha_mode = SurfaceTexturing::opaque;  // a boundary with holes, or that is there for some light alone, bounds nothing
+    if (t.alpha || t.alpha_factor < 1)
+      warn_of("material", number, "is of glass, which bounds a solid and says itself what it lets through: its alpha is "
+              "ignored, so there are no holes in it; GLAZING may have some");
   }
   if (t.alpha_mode == SurfaceTexturing::blend && d.model == UPS_MATERIAL_GLAZING)
     warn_of("material", number, "is a pane whose blended alpha (" + check::text(double(t.alpha_factor)) +

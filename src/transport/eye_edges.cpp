@@ -137,18 +137,26 @@ void EyeWalk::add(const Contribution& c, const Rgb& unweighted, double pass, flo
   keep_separated(c.emitter, lx, is_direct ? lx : 0.0, 0.0);
 }
 
-void EyeWalk::keep_separated(uint32_t emitter, double lx, double direct, double bias) {
-  if (!sensor_.separated) return;
+MeterTally& EyeWalk::separated(uint32_t emitter) {
   const uint32_t column = in_.plan.separation.column_of_emitter[emitter];
   auto at = std::find_if(columns_.begin(), columns_.end(), [&](const Column& c) { return c.first == column; });
   if (at == columns_.end()) at = columns_.insert(at, {column, {}});
-  at->second.value += lx, at->second.direct += direct, at->second.bias += bias;
+  return at->second;
+}
+
+void EyeWalk::keep_separated(uint32_t emitter, double lx, double direct, double bias) {
+  if (!sensor_.separated) return;
+  MeterTally& t = separated(emitter);
+  t.value += lx, t.direct += direct, t.bias += bias;
 }
 
 void EyeWalk::add_separated() {
   if (!sensor_.separated) return;
-  for (const auto& [column, t] : columns_)
-    sensor_.separated[column].add(MeterTally::of_path(t.value, t.direct, t.bias), sensor_.share);
+  for (const auto& [column, kept] : columns_) {
+    MeterTally t = MeterTally::of_path(kept.value, kept.direct, kept.bias);
+    t.caustics = kept.caustics;
+    sensor_.separated[column].add(t, sensor_.share);
+  }
 }
 
 }  // namespace ups

@@ -196,6 +196,7 @@ class MeterPaths {
     const size_t columns = in_.plan.separation.columns.size();
     sensor.separated = columns ? &tally_.separated[s_][i * columns] : nullptr;
     sensor.share = 1.0 / samples;
+    sensor.counts_hits = in_.plan.hits_alone_at(s_);
     return sensor;
   }
   MeterTally trace_one(size_t i, uint32_t k, EyeSensor& sensor, WorkCounts& work) const {
@@ -211,7 +212,9 @@ class MeterPaths {
     const EyeTally found = EyeWalk(in_, photons_, sensor, rng, work).from_meter(at.p, at.error, at.frame);
     if (differ) sensor.media = nullptr;
     if (in_.moments) in_.moments->add_eye_path(luminance(found.value()) * sensor.share, sensor.excess);
-    return MeterTally::of_path(luminance(found.value()), found.direct, found.bias, {k});
+    MeterTally tally = MeterTally::of_path(luminance(found.value()), found.direct, found.bias, {k});
+    tally.caustics = found.hits;
+    return tally;
   }
 
   const Iteration& in_;

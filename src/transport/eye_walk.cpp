@@ -211,7 +211,12 @@ void EyeWalk::hit_emitter(uint32_t emitter, uint32_t primitive, const Vec3& p, f
   const double pdf_a = edge_.scatter.pdf * met_.pass(distance) * cos_in / (double(distance) * distance);
   const EyeHit eye{arrive([] { return Receiver{}; }, cos_in, distance), counts_, last_, p, -direction_, pdf_a,
                    edge_.kind == Edge::continuous, edges, carried_ * transmittance};
-  if (const Found c = hit(in_, eye, emitter, primitive)) offer(*c, Drop::emitter_hit);
+  const Found c = hit(in_, eye, emitter, primitive);
+  if (!c) return;
+  offer(*c, Drop::emitter_hit);
+  if (!sensor_.counts_hits || (edge_.kind != Edge::delta && !edge_.scatter.caster)) return;
+  tally_.hits += in_.plan.counts_hits[emitter];
+  if (sensor_.separated) ++separated(emitter).caustics;
 }
 
 LightEnd& EyeWalk::light_end(uint32_t i) {

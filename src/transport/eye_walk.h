@@ -14,6 +14,7 @@ struct EyeTally {
   double rgb[3] = {};
   double direct = 0;  // luminance of the part with one edge
   double bias = 0;    // luminance; see MeterTally
+  uint32_t hits = 0;  // of emitters by way of casters, a meter's
   float disc_m2 = 0, caustics = 0, caustics_met = 0, caustic_light = 0;  // see PixelMerges
 
   void add(const Rgb& v) { rgb[0] += v.r, rgb[1] += v.g, rgb[2] += v.b; }
@@ -40,6 +41,7 @@ struct EyeSensor {
   uint32_t pixel = 0;
   MeterTally* separated = nullptr;  // of the meter, a column of Plan::separation each, where asked for
   double share = 1;                 // of this eye path in the meter's reading
+  bool counts_hits = false;         // a meter: by way of casters they alone bring light
   float own_area_m2 = 0;  // of a path that starts on what a pixel sees: what no other pixel of the iteration sees of it
 };
 
@@ -128,6 +130,7 @@ class EyeWalk : Subpath<EyeWalk, TransportMode::radiance> {
   double size_of_certain_edges(bool far, int rays, double WaitingEdge::*size) const;
   void test_edge(const Contribution& c, Drop drop, double share);
   void add(const Contribution& c, const Rgb& unweighted, double pass, float weight, Drop drop);
+  MeterTally& separated(uint32_t emitter);
   void keep_separated(uint32_t emitter, double lx, double direct, double bias);
   void add_separated();  // what was kept, once for the whole path
 

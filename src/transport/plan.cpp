@@ -106,6 +106,20 @@ size_t ring_rows(const Snapshot& scene, const Separation& separation) {
   return points * (separation.columns.size() + 1);
 }
 
+namespace {
+
+// Hits of dim ones do not tell that bright ones would have been found.
+std::vector<bool> bright_emitters(const EmitterSet& emitters) {
+  std::vector<double> cd_m2;
+  for (size_t i = 0; i < emitters.size(); ++i) cd_m2.push_back(emitters[i].brightest_cd_m2());
+  std::vector<bool> bright;
+  const double most = cd_m2.empty() ? 0 : *std::max_element(cd_m2.begin(), cd_m2.end());
+  for (const double own : cd_m2) bright.push_back(own > 0 && 8 * own >= most);
+  return bright;
+}
+
+}  // namespace
+
 Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   Plan plan;
   plan.separation = separate(scene, settings.separation);
@@ -118,6 +132,7 @@ Plan make_plan(const Snapshot& scene, const TransportSettings& settings) {
   plan.seeks_caustics = scene.effects.sharp_caster && !plan.images_suffice && settings.max_path_length != 1;
   plan.hits_alone = scene.effects.sharp_caster && !plan.images_suffice && settings.has(UPS_TECHNIQUE_EMITTER_HIT) &&
                     !settings.method.hits_after_specular;
+  if (plan.hits_alone && !scene.meter_sets.empty()) plan.counts_hits = bright_emitters(scene.emitters);
   // Nothing but light paths carries a ray emitter's light, from its first surface on.
   const bool samples = settings.has(UPS_TECHNIQUE_LIGHT_SAMPLE);
   for (size_t i = 0; i < scene.emitters.size(); ++i) {

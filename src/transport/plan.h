@@ -92,6 +92,7 @@ struct Plan {
   // By way of casters some light may come to meters without photons that eye paths alone find, as they run into its
   // emitter.
   bool hits_alone = false;
+  std::vector<bool> counts_hits;  // by emitter: at least an eighth as bright as the brightest is; empty: none are counted
   Separation separation;  // of meters' readings
   // r_1 of each pixel, for the first vertex of its eye paths that scatters; empty without merging. All other vertices
   // merge within walk_radius: a hemisphere away from the sensor blur is not seen, but few photons are.
@@ -109,6 +110,7 @@ struct Plan {
   // Light paths land on cells of the set; photons on discs of it, some of them straight from an emitter.
   bool lands_on_cells(size_t set) const { return lands && (shares.empty() || shares[units.of_set(set)].light); }
   bool lands_on(size_t set) const { return set < meter_discs.size() && !meter_discs[set].empty() && merges_at(set); }
+  bool hits_alone_at(size_t set) const { return hits_alone && !lands_on(set) && !lands_on_cells(set); }
   bool merges_direct_light() const {
     return std::any_of(gates.begin(), gates.end(), [](const mis::Gates& g) { return g.merge_at_first; });
   }

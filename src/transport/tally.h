@@ -116,7 +116,7 @@ struct MeterTally {
   double exact = 0;    // part of value that is no matter of chance
   double exact_mirrored = 0;  // part of that which is not direct
   float rounding = 0;  // of exact, at most
-  uint32_t caustics = 0;  // light paths that landed by way of casters alone
+  uint32_t caustics = 0;  // light paths that landed by way of casters alone; see Plan::hits_alone_at: eye paths that hit
   std::array<PathRecord, light_part_count> paths;
   PathNumber largest;  // that of paths[whole_light]
 

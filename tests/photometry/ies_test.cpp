@@ -258,6 +258,7 @@ INSTANTIATE_TEST_SUITE_P(
         OpeningCase{e02, "0 1.2 0", S::rectangle, 1.2f, 0, 0}, OpeningCase{e02, "0 0 1.2", S::rectangle, 0, 0, 1.2f},
         OpeningCase{e95, "+.3 -.2 .4", S::cylinder, .2f, .3f, .4f},
         OpeningCase{e95, ".3 -.2 -.4", S::sphere, .2f, .3f, .4f},
+        OpeningCase{e95, "-.2 .3 0", S::disc, .3f, .2f, 0}, OpeningCase{e95, ".3 -.2 0", S::disc, .2f, .3f, 0},
         OpeningCase{e02, "-.2 -.3 .5", S::cylinder, .3f, .2f, .5f},
         OpeningCase{e02, "-.2 -.3 -.5", S::sphere, .3f, .2f, .5f},
         OpeningCase{e02, "-.1 1.2 -.2", S::cylinder, 1.2f, .1f, .2f, 0},

@@ -254,6 +254,7 @@ TEST(Luminance, OfProjectedAreas) {
   EXPECT_NEAR(projected_area_m2(opening_of(OpeningShape::sphere, 2, 2, 2), 1, 2, -3), pi, 1e-6);
   EXPECT_NEAR(projected_area_m2(opening_of(OpeningShape::sphere, 2, 4, 6), 0, 1, 0), 3 * pi, 1e-6);
   EXPECT_NEAR(projected_area_m2(opening_of(OpeningShape::cylinder, 2, 2, 5), 1, 0, -1), (pi + 10) * h, 1e-6);
+  EXPECT_NEAR(projected_area_m2(opening_of(OpeningShape::disc, 2, 2, 5), 1, 0, -1), (pi + 10) * h, 1e-6);
   EXPECT_NEAR(projected_area_m2(opening_of(OpeningShape::cylinder, 5, 2, 4, 0), 0, 0, -1), 10, 1e-6);
   EXPECT_NEAR(projected_area_m2(opening_of(OpeningShape::cylinder, 5, 2, 4, 0), 0, 1, 0), 20, 1e-6);
 }

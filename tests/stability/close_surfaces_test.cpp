@@ -174,6 +174,16 @@ TEST(Taught, LuminousBoxesOnASlabAreNotTold) {
   EXPECT_EQ(scene_warnings(scene).find("should meet that starts behind it"), std::string::npos);
 }
 
+// Nor does a luminous panel in its frame, right behind the pane that covers it.
+TEST(Taught, LuminousPanelsBehindAPaneAreNotTold) {
+  Scene scene;
+  scene.add(quad({-50, -50, 6}, {100, 0, 0}, {0, 100, 0}), matte(0.5));
+  scene.add(quad({-0.3, -0.3, 3}, {0.6, 0, 0}, {0, 0.6, 0}), emitter(1000));
+  scene.add(quad({-0.3, -0.3, 3 + 1e-7}, {0.6, 0, 0}, {0, 0.6, 0}), glazing(0.9));
+  scene.add_meters({{0, 0, 4}}, {0, 0, -1});
+  EXPECT_EQ(scene_warnings(scene).find("should meet that starts behind it"), std::string::npos);
+}
+
 // A luminous box of a mesh right under such a floor: the light of its top starts above it. Told, and not of one with
 // room, nor where nothing is above.
 TEST(Taught, EmittersThatStartBehindWhatLiesOnThemAreTold) {
