@@ -179,7 +179,7 @@ TEST(Taught, LuminousPanelsBehindAPaneAreNotTold) {
   Scene scene;
   scene.add(quad({-50, -50, 6}, {100, 0, 0}, {0, 100, 0}), matte(0.5));
   scene.add(quad({-0.3, -0.3, 3}, {0.6, 0, 0}, {0, 0.6, 0}), emitter(1000));
-  scene.add(quad({-0.3, -0.3, 3 + 1e-7}, {0.6, 0, 0}, {0, 0.6, 0}), glazing(0.9));
+  scene.add(quad({-0.3, -0.3, 3 + 1e-7}, {0.6, 0, 0}, {0, 0.6, 0}), material(UPS_MATERIAL_GLAZING, 0));
   scene.add_meters({{0, 0, 4}}, {0, 0, -1});
   EXPECT_EQ(scene_warnings(scene).find("should meet that starts behind it"), std::string::npos);
 }
