@@ -310,9 +310,9 @@ TEST(Taught, GlassIsNeitherBlendedNorCutOut) {
     const auto r = scene.render({.iterations = 8});
     const std::string warnings = r.text(UPS_TEXT_WARNINGS);
     EXPECT_EQ(warnings.find("its alpha is ignored") != std::string::npos, mode != UPS_ALPHA_OPAQUE) << warnings;
-    if (mode == UPS_ALPHA_OPAQUE) whole = r.meters(meter)[0].illuminance_lx;
+    if (mode == UPS_ALPHA_OPAQUE) whole = r.readings(meter)[0].illuminance_lx;
     EXPECT_GT(whole, 0);
-    EXPECT_EQ(r.meters(meter)[0].illuminance_lx, whole) << mode;
+    EXPECT_EQ(r.readings(meter)[0].illuminance_lx, whole) << mode;
   }
 }
 
