@@ -174,18 +174,23 @@ TEST(Taught, LuminousBoxesOnASlabAreNotTold) {
   EXPECT_EQ(scene_warnings(scene).find("should meet that starts behind it"), std::string::npos);
 }
 
-// Nor does a luminous panel right behind a pane or a sheet that lets light by.
+// Nor does a luminous panel right behind a pane or a sheet that lets light by, nor is it in another's plane there.
 TEST(Taught, LuminousPanelsBehindWhatLetsLightByAreNotTold) {
   ups_material_desc film = matte(0.5);
   film.alpha_mode = UPS_ALPHA_BLEND, film.alpha = 0.3f;
-  for (const auto& cover : {material(UPS_MATERIAL_GLAZING, 0), film}) {
-    Scene scene;
-    scene.add(quad({-50, -50, 6}, {100, 0, 0}, {0, 100, 0}), matte(0.5));
-    scene.add(quad({-0.3, -0.3, 3}, {0.6, 0, 0}, {0, 0.6, 0}), emitter(1000));
-    scene.add(quad({-0.3, -0.3, 3 + 1e-6}, {0.6, 0, 0}, {0, 0.6, 0}), cover);
-    scene.add_meters({{0, 0, 4}}, {0, 0, -1});
-    EXPECT_EQ(scene_warnings(scene).find("should meet that starts behind it"), std::string::npos);
-  }
+  for (const int both_sides : {0, 1})
+    for (const auto& cover : {material(UPS_MATERIAL_GLAZING, 0), film}) {
+      ups_material_desc panel = emitter(1000);
+      panel.emits_both_sides = both_sides;
+      Scene scene;
+      scene.add(quad({-50, -50, 6}, {100, 0, 0}, {0, 100, 0}), matte(0.5));
+      scene.add(quad({-0.3, -0.3, 3}, {0.6, 0, 0}, {0, 0.6, 0}), panel);
+      scene.add(quad({-0.3, -0.3, 3 + 1e-5}, {0.6, 0, 0}, {0, 0.6, 0}), cover);
+      scene.add_meters({{0, 0, 4}}, {0, 0, -1});
+      const std::string told = scene_warnings(scene);
+      EXPECT_EQ(told.find("starts behind it"), std::string::npos) << told;
+      EXPECT_EQ(told.find("in the plane of another surface"), std::string::npos) << told;
+    }
 }
 
 // A luminous box of a mesh right under such a floor: the light of its top starts above it. Told, and not of one with
