@@ -183,8 +183,9 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // its own too, in proportion to r^2 as light has it that curves evenly. Beside an edge the fit sees but a third of a
 // wide disc's bias, a disc of a quarter of the radius all but its own: as that has much noise, three times of it are
 // taken off. What is noise of all that, the neighbours' curvature replaces.
-// Neighbours' steps add what one meter's photons are too few to show: bias squared, less twice its noise, and what the
-// meter may differ from them in.
+// Neighbours' steps know better than the meter's own what a quarter of the radius differs in: bias squared, less twice its
+// noise, and what the meter may differ from them in. Of a thousand meters chance shows some a bias of four deviations:
+// beside neighbours that tell, it takes six for a disc to be the widest.
 // Noise: that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few. So
 // are its photons to tell light that is narrower than a disc: `widest` is told by all. A small disc that only dim
 // photons have reached does not know its noise: as long as bright ones are due there by chance, the widest disc's tells;
@@ -193,7 +194,8 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
                           uint32_t widest, const Sums& bright, double bright_variance) {
   const BiasKernel kernel(rings);
   const uint32_t first = s.first_with(least_photons, rings);
-  double b1 = 0, q1 = 0, q2 = 0, noise2[max_rings], bias2[max_rings], bias_noise2[max_rings];
+  double b1 = 0, q1 = 0, q2 = 0, noise2[max_rings], bias2[max_rings], between2[max_rings], bias_noise2[max_rings];
+  const double sure = told.curvature.tell() ? beyond_doubt : likely;
   uint32_t last = std::max(first, widest);
   while (last > first && !(rings.area[last] > 0)) --last;
   for (uint32_t k = 0; k <= last; ++k) {
@@ -209,8 +211,9 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
                  noise = due < 16 ? bright.variance(last) / bright_variance * s.area[last] / s.area[k] : 0;
     noise2[k] = 0.5 * dependence.of_mean[k] / s.clump * std::max(noise, s.variance(k));
     bias2[k] = std::max(0.0, bias * bias - of_noise);
-    if (k >= first + quarter) bias2[k] = std::max(bias2[k], s.bias2_between(k, k - quarter, 3));
-    if (k > first && bias * bias > 16 * of_noise && bias * bias > 4 * noise2[k]) last = k;
+    between2[k] = k >= first + quarter ? s.bias2_between(k, k - quarter, 3) : 0;
+    if (!told.steps) bias2[k] = std::max(bias2[k], between2[k]);
+    if (k > first && bias * bias > sure * sure * of_noise && bias * bias > 4 * noise2[k]) last = k;
   }
   uint32_t chosen = last;
   double least = INFINITY, curved = 0;  // of wider discs: bias^2 / scale^2
@@ -223,7 +226,8 @@ uint32_t MeterRings::best(const Sums& s, const Rings& rings, const Dependence& d
     double bias = own * std::max(bias2[k], 0.5 * curved * scale2) + (1 - own) * curvature * curvature;
     if (told.steps && noise2[k] + bias < least) {
       const StepBias b = told.steps(profile, k);
-      bias = std::max(bias, lx * lx * (std::max(0.0, b.mean * b.mean - 2 * b.told_variance) + b.own_variance));
+      const double shown = lx * lx * (std::max(0.0, b.mean * b.mean - 2 * b.told_variance) + b.own_variance);
+      bias = std::max(bias, b.variance() > 0 ? shown : between2[k]);
     }
     if (noise2[k] + bias < least) least = noise2[k] + bias, chosen = k;
   }
