@@ -20,13 +20,9 @@ constexpr uint32_t quarter = 4;        // rings, to a quarter of the radius
 constexpr double beyond_doubt = 6, likely = 4;
 constexpr uint64_t few = 8;  // photons
 
-uint32_t visits_of(uint32_t batch, uint32_t visits) {
-  return visits / batch_count + (batch < visits % batch_count);
-}
-
 uint32_t visits_of_half(size_t half, uint32_t visits) {
   uint32_t sum = 0;
-  for (uint32_t b = uint32_t(half); b < batch_count; b += 2) sum += visits_of(b, visits);
+  for (uint32_t b = uint32_t(half); b < batch_count; b += 2) sum += visits_of_batch(visits, b);
   return sum;
 }
 
@@ -184,8 +180,8 @@ MeterRings::Sums MeterRings::sums_of(size_t row, const Rings& rings, size_t begi
 // wide disc's bias, a disc of a quarter of the radius all but its own: as that has much noise, three times of it are
 // taken off. What is noise of all that, the neighbours' curvature replaces.
 // Neighbours' steps know better than the meter's own what a quarter of the radius differs in: bias squared, less twice its
-// noise, and what the meter may differ from them in. Of a thousand meters chance shows some a bias of four deviations:
-// beside neighbours that tell, it takes six for a disc to be the widest.
+// noise, and what the meter may differ from them in. Of many meters chance shows some a bias of four deviations: beside
+// neighbours that tell it takes six.
 // Noise: that of the mean of two halves. Variances are from the photons' own squares: batches of a half are too few. So
 // are its photons to tell light that is narrower than a disc: `widest` is told by all. A small disc that only dim
 // photons have reached does not know its noise: as long as bright ones are due there by chance, the widest disc's tells;

@@ -12,8 +12,8 @@ struct OwnBias {
   Spread bias;
   double lx, bias_scale;
   double scale() const { return bias_scale > 0 ? lx * bias_scale : lx; }
-  // Of 16 batches by chance alone one meter in 900 has 4 standard errors, one in 16 has 2.
-  bool is_beyond_doubt() const { return std::abs(bias.mean) > 4 * bias.standard_error; }
+  // Of 16 batches by chance alone one meter in 100 has 3 standard errors, one in 16 has 2.
+  bool is_beyond_doubt() const { return std::abs(bias.mean) > 3 * bias.standard_error; }
 };
 
 // By how light goes on from narrow discs to wide ones, and leans to one side, at a set's meters. An edge beside a meter
