@@ -43,9 +43,9 @@ Accumulator::Accumulator(const Snapshot& scene, const Plan& plan)
     separated_.emplace_back(set.meters.size() * plan.separation.columns.size());
     const size_t s = rings_.size();
     const uint32_t rings = plan.lands_on(s) ? plan.meter_discs[s].ring_count() : 0;
-    const size_t rows = rings ? set.meters.size() * (plan.separation.columns.size() + 1) : 0;
-    rings_.push_back({MeterRings(rows, rings, plan.merges_direct_light()),
-                      MeterRings(plan.seeks_caustics ? rows : 0, rings, false, true)});
+    const size_t meters = rings ? set.meters.size() : 0, columns = plan.separation.columns.size() + 1;
+    rings_.push_back({MeterRings(meters, columns, rings, plan.merges_direct_light()),
+                      MeterRings(plan.seeks_caustics ? meters : 0, columns, rings, false, true)});
     const uint32_t sides = set.kind == UPS_METER_VECTOR ? vector_sides : 1;
     discs_that_meet_.push_back(rings ? plan.meter_discs[s].most_that_meet(set.meters, sides) : 1);
   }

@@ -110,7 +110,7 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
     const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own[of]);
     const NeighbourProfiles profiles = profiles_of(set, of, column, stop);
     for (size_t m = 0; m < count; ++m) {
-      Spread bias = pooled_bias(own[of][m], neighbours[m]), &all = lights[m].bias;
+      Spread bias = pooled_bias(own[of][m], neighbours[m], count), &all = lights[m].bias;
       const double edge = discs[of].empty() ? 0 : profiles.edge(m, discs[of][m]);
       if (!discs[of].empty()) bias = profiles.added_to(bias, m, discs[of][m], edge);
       if (of == other_light) {

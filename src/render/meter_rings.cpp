@@ -77,10 +77,10 @@ struct MeterRings::Sums {
     return std::max(0.0, d * d - times * noise2);
   }
   // What discs narrower than one of these lx say.
-  NarrowLight narrower(const Rings& rings, double lx, uint32_t disc) const {
+  NarrowLight narrower(const Rings& rings, double lx, uint32_t disc, double sure) const {
     NarrowLight most;
     for (uint32_t k = rings.narrowest; k < disc; ++k)
-      if (differs(k, lx, likely) && (mean(k) < lx || double(count[k]) >= clump * few))
+      if (differs(k, lx, sure) && (mean(k) < lx || double(count[k]) >= clump * few))
         most = larger(most, {mean(k) - lx, chance_of(k)});
     return most;
   }
@@ -130,10 +130,10 @@ struct MeterRings::Sums {
   }
 };
 
-MeterRings::MeterRings(size_t rows, uint32_t rings, bool direct, bool caustics)
-    : rings_(rings), flux_(rows * batch_count * rings), direct_(direct ? flux_.size() : 0),
-      square_(rows * halves * rings), count_(rows * halves * rings), lean_(rows * rings * 2),
-      largest_(rows * rings), caustics_(caustics) {}
+MeterRings::MeterRings(size_t meters, size_t columns, uint32_t rings, bool direct, bool caustics)
+    : rings_(rings), flux_(meters * columns * batch_count * rings), direct_(direct ? flux_.size() : 0),
+      square_(meters * columns * halves * rings), count_(square_.size()), lean_(meters * columns * rings * 2),
+      largest_(meters * columns * rings), caustics_(caustics), sure_(deviations_among(meters, likely)) {}
 
 void MeterRings::add(size_t row, uint32_t batch, const MeterLanding& l, uint32_t iteration) {
   const size_t of_half = (row * halves + batch % halves) * rings_ + l.ring;
@@ -376,7 +376,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   const double t = t_quantile(std::max(visits, min_batches));
   const uint32_t outermost = rings.count - 1;
   // Narrower than both: between them `choice_variance` tells, and the reading has more noise than a disc.
-  const NarrowLight narrower = s.narrower(rings, p.lx, std::min(choice[0], choice[1]));
+  const NarrowLight narrower = s.narrower(rings, p.lx, std::min(choice[0], choice[1]), sure_);
   const double all = (double(s.count[outermost]) + others) / s.clump;  // few of both: by how many light has been found
   if (caustics_) {
     uint32_t batches = 0;  // of a file of rays copies of one, which lie together, are in one batch

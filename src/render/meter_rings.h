@@ -72,9 +72,9 @@ struct NarrowLight {
 
 class MeterRings {
  public:
-  // A row is a meter, or a column of one. direct: some light comes straight from emitters; caustics: all of it comes by
-  // way of casters alone, so that a few photons may be all that is known of it.
-  MeterRings(size_t rows, uint32_t rings, bool direct, bool caustics = false);
+  // A row is a column of a meter: all its light, or a source's, columns fastest. direct: some light comes straight from
+  // emitters; caustics: all of it comes by way of casters alone, so that a few photons may be all that is known of it.
+  MeterRings(size_t meters, size_t columns, uint32_t rings, bool direct, bool caustics = false);
   static double bytes_per_row(uint32_t rings, bool direct) {
     return rings * (sizeof(double) * (batch_count + halves + 2 + (direct ? batch_count : 0)) +
                     sizeof(uint32_t) * halves + sizeof(Largest));
@@ -142,6 +142,7 @@ class MeterRings {
   ZeroedVector<double> lean_;           // flux by its direction from the meter, a row by a ring by s and t
   ZeroedVector<Largest> largest_;       // a row by a ring
   bool caustics_;
+  double sure_;  // standard deviations by which narrower discs must differ from what is read, of so many meters
 };
 
 }  // namespace ups

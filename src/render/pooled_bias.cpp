@@ -64,9 +64,9 @@ std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>&
   return out;
 }
 
-Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours) {
+Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours, size_t meters) {
   const auto [mean, error] = own.bias;
-  if (!(error > 0) || own.is_beyond_doubt()) return own.bias;
+  if (!(error > 0) || own.is_beyond_doubt(meters)) return own.bias;
   const double share = neighbours.share_of_own(own.scale(), error * error), told = (1 - share) * own.scale();
   return {share * mean + told * neighbours.mean,
           std::sqrt(share * error * error + told * told * neighbours.variance_of_mean)};

@@ -12,8 +12,10 @@ struct OwnBias {
   Spread bias;
   double lx, bias_scale;
   double scale() const { return bias_scale > 0 ? lx * bias_scale : lx; }
-  // Of 16 batches by chance alone one meter in 100 has 3 standard errors, one in 16 has 2.
-  bool is_beyond_doubt() const { return std::abs(bias.mean) > 3 * bias.standard_error; }
+  // meters: of its set. By chance alone one meter in 100 has 3 standard errors by 16 batches: of more, more are asked for.
+  bool is_beyond_doubt(size_t meters) const {
+    return std::abs(bias.mean) > deviations_by_batches(deviations_among(meters, 2.61)) * bias.standard_error;
+  }
 };
 
 // By how light goes on from narrow discs to wide ones, and leans to one side, at a set's meters. An edge beside a meter
@@ -47,7 +49,8 @@ class NeighbourProfiles {
 // Of a set's meters, in its order, in which neighbours follow each other.
 std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>& meters);
 
-// What is to be expected of a meter's bias when the neighbours' curvature is known; its own where that is beyond doubt.
-Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours);
+// What is to be expected of the bias of one of so many meters when the neighbours' curvature is known; its own where that
+// is beyond doubt.
+Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours, size_t meters);
 
 }  // namespace ups

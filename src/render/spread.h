@@ -37,6 +37,17 @@ inline uint32_t visits_of_batch(uint32_t visits, uint32_t batch) {
   return visits / batch_count + (batch < visits % batch_count);
 }
 
+// Deviations that chance alone makes of one of many as seldom as it makes `of_few` of one of 25: a normal number's tail
+// falls as exp(-z^2 / 2).
+inline double deviations_among(size_t count, double of_few) {
+  return std::sqrt(of_few * of_few + 2 * std::log(std::max(1.0, double(count) / 25)));
+}
+// Of Student's t for 16 batches, which is as rare as z of a normal number (Wallace 1959).
+inline double deviations_by_batches(double z) {
+  constexpr double nu = batch_count - 1, scale = (8 * nu + 3) / (8 * nu + 1);
+  return std::sqrt(nu * std::expm1(z * scale * z * scale / nu));
+}
+
 struct Spread {
   double mean = 0, standard_error = -1;  // -1: not known
 };

@@ -117,9 +117,9 @@ TEST(Accuracy, NoiseOfAnOfficeIsForetold) {
 
 // A mirror throws a patch of light into a black room; the outer meters stand near its edge, so that bias is what
 // remains. A disc is kept until its bias shows, and then a narrower one is taken: no power of the time, so that the worst
-// meter's error falls by leaps and now and then rises. How unsure a time is that is foretold of that must be said: of 8
-// renders' intervals, 65 to 240,000 iterations where it took 243, two may miss it (none to two do, of 32 seeds; the time itself is told too long by
-// 2.9 in the median of 16). Where the error was once as low by chance, that is told, which is no prediction.
+// meter's error falls by leaps and now and then rises. A time foretold of that is no good (3.7 times too long in the median
+// of 29 renders), but its interval must say so: from a half of it to ten times it and more. It holds in 26 of 29, and two
+// of 8 may miss it. Where the error was as low once before by chance that is told, which foretells nothing.
 TEST(Accuracy, BiasAtAnEdgeIsForetoldByAnInterval) {
   Scene scene;
   scene.add(box({0, 0, 0}, {6, 6, 3}).flipped(), matte(0));

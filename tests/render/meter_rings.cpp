@@ -44,7 +44,7 @@ Part even(double lx, double half = radius) {
 struct Rig {
   MeterDiscs discs{1, max_rings, radius};
   Rings rings = discs.rings(0, 0);
-  MeterRings sums{1, max_rings, true}, caustics{1, max_rings, false, true};
+  MeterRings sums{1, 1, max_rings, true}, caustics{1, 1, max_rings, false, true};
   std::mt19937_64 random;
   explicit Rig(uint64_t seed) : random(seed) {}
 
@@ -149,7 +149,7 @@ TEST_P(MeterRingsOfAClass, ChoiceDoesNotBiasTheReading) {
   double sum = 0, square = 0, stated = 0;
   constexpr int runs = 4000;
   for (int i = 0; i < runs; ++i) {
-    rig.sums = MeterRings(1, max_rings, true), rig.caustics = MeterRings(1, max_rings, false, true);
+    rig.sums = MeterRings(1, 1, max_rings, true), rig.caustics = MeterRings(1, 1, max_rings, false, true);
     rig.fill(uniform, caustic);
     const ups_meter_reading r = rig.read();
     sum += r.illuminance_lx, square += std::pow(r.illuminance_lx - 10, 2);
@@ -244,7 +244,7 @@ TEST_P(MeterRingsOf, ReadWellAndBoundTheirError) {
   std::vector<double> widths;
   Rig rig(11);
   for (int i = 0; i < runs; ++i) {
-    rig.sums = MeterRings(1, max_rings, false);
+    rig.sums = MeterRings(1, 1, max_rings, false);
     rig.fill(field);
     const ups_meter_reading r = rig.read();
     const double error = std::abs(r.illuminance_lx - truth);

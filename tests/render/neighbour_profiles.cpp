@@ -45,7 +45,7 @@ struct Row {
   void render(const Light& light, double most, double photons, std::mt19937_64& random) {
     const MeterDiscs discs(meters, max_rings, radius);
     const Rings rings = discs.rings(0, 0);
-    MeterRings sums(meters, max_rings, false, caustics_);
+    MeterRings sums(meters, 1, max_rings, false, caustics_);
     std::uniform_real_distribution<double> uniform(0, 1);
     std::exponential_distribution<double> size(1);
     for (size_t m = 0; m < meters; ++m)
@@ -142,7 +142,7 @@ TEST(NeighbourProfiles, LightLeansBesideAStepAndNotOnASlope) {
   const MeterDiscs discs(1, max_rings, radius);
   const Rings rings = discs.rings(0, 0);
   const auto profile = [&](const std::function<double(double, double)>& lx) {
-    MeterRings sums(1, max_rings, false);
+    MeterRings sums(1, 1, max_rings, false);
     for (int i = -500; i < 500; ++i)
       for (int j = -500; j < 500; ++j) {
         const float x = float(i + 0.5) / 1000, y = float(j + 0.5) / 1000;

@@ -32,8 +32,8 @@ struct Row {
     const std::vector<NeighbourCurvature> neighbours = neighbour_curvatures(own);
     double square = 0, variance = 0;
     for (size_t m = 0; m < own.size(); ++m) {
-      const Spread& b = pooled.emplace_back(pooled_bias(own[m], neighbours[m]));
-      if (own[m].is_beyond_doubt()) continue;
+      const Spread& b = pooled.emplace_back(pooled_bias(own[m], neighbours[m], meters));
+      if (own[m].is_beyond_doubt(meters)) continue;
       square += std::pow(b.mean - truth[m], 2), variance += b.standard_error * b.standard_error;
     }
     return square / variance;
@@ -79,11 +79,15 @@ TEST(PooledBias, ANarrowDiscIsNotToldByWideOnes) {
   EXPECT_EQ(row.pooled[200].standard_error, 1);
 }
 
+// Of a set of 400 meters chance alone makes some of 4 standard errors, of 25 hardly any.
 TEST(PooledBias, WhatIsBeyondDoubtStays) {
-  Row row(0, 0);
-  row.own[200].bias.mean = 4;
-  row.pool();
-  EXPECT_EQ(row.pooled[200].mean, 4);
+  for (const double bias : {4.0, 6.0}) {
+    Row row(0, 0);
+    row.own[200].bias.mean = bias;
+    row.pool();
+    EXPECT_EQ(row.pooled[200].mean == bias, bias > 5);
+    EXPECT_TRUE(row.own[200].is_beyond_doubt(25));
+  }
 }
 
 // 2,000 lx beside 2 lx, each biased by 1 %: the bias is told relative to the light.

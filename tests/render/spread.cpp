@@ -82,7 +82,7 @@ TEST(MeterRings, StateTheNoiseOfChoosing) {
   rings.count = 2;
   rings.area[0] = rings.area[1] = 1;
   rings.radius2[0] = rings.bias_scale[0] = 0.5, rings.radius2[1] = rings.bias_scale[1] = 1.5;
-  MeterRings sums(1, 2, false);
+  MeterRings sums(1, 1, 2, false);
   const auto landing = [](uint8_t ring, double lm) { return MeterLanding{0, 0, ring, false, 0, 0, lm}; };
   for (uint32_t b = 0; b < batch_count; ++b) {
     for (int i = 0; i < 8; ++i) sums.add(0, b, landing(0, 3), b);

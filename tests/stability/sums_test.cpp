@@ -36,7 +36,7 @@ TEST(Hazard27, TenMillionAdditionsToAMeterKeepNineDigits) {
 TEST(Hazard27, TenMillionPhotonsOnADiscKeepNineDigits) {
   const MeterDiscs discs(1, max_rings, 1);
   const Rings rings = discs.rings(0, 0);
-  MeterRings sums(1, max_rings, true);
+  MeterRings sums(1, 1, max_rings, true);
   for (uint32_t i = 0; i < additions; ++i)
     sums.add(0, i % batch_count, {0, 0, uint8_t(max_rings - 1), true, 0, 0, term(i)}, i);
   const MeterRings::Photons p = sums.read(0, rings, {max_rings - 1, max_rings - 1}, additions);
