@@ -13,7 +13,7 @@ namespace {
 constexpr size_t reach = 16, least_neighbours = 4;  // on either side; without the meter itself
 constexpr uint32_t quarter = 4, narrower = 2, most_narrow = 8;  // rings: to a quarter of a radius; steps down to a 16th
 constexpr double rounding = 1e-9;  // of a reading: a few photons' bias that varies by less is zero, and tells nothing
-constexpr double certain = 2.5;  // standard deviations, of one of several estimates that are looked at
+constexpr double certain = 2.5;  // standard deviations, of one of several estimates that are looked at, of few meters
 
 struct Estimate {
   double value = 0, variance = 0;
@@ -72,6 +72,9 @@ Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours, siz
           std::sqrt(share * error * error + told * told * neighbours.variance_of_mean)};
 }
 
+NeighbourProfiles::NeighbourProfiles(std::vector<RingProfile> meters)
+    : meters_(std::move(meters)), certain_(deviations_among(meters_.size(), certain)) {}
+
 bool NeighbourProfiles::tell(size_t m) const { return meters_.size() > least_neighbours && meters_[m].lx > 0; }
 
 // Of an estimate of each meter, by its profile and by how many rings further in a disc of that size ends there; without
@@ -115,7 +118,7 @@ StepBias NeighbourProfiles::bias(size_t m, const RingProfile& own, uint32_t ring
   };
   for (uint32_t down = quarter + narrower; down <= std::min(most_narrow, ring); down += narrower) {
     const StepBias b = bias_from(m, own, ring - down, ring, sure);
-    if (surely(b, certain) > std::max(0.0, surely(found, 2))) found = b;
+    if (surely(b, certain_) > std::max(0.0, surely(found, 2))) found = b;
   }
   return found;
 }
@@ -148,7 +151,7 @@ double NeighbourProfiles::bias_by_edge(size_t m, uint32_t ring) const {
     }
     const double variance = lean[0].variance() + lean[1].variance(),
                  length2 = lean[0].mean * lean[0].mean + lean[1].mean * lean[1].mean,
-                 surely = std::sqrt(length2) - certain * std::sqrt(variance);
+                 surely = std::sqrt(length2) - certain_ * std::sqrt(variance);
     if (surely > sure) sure = surely, square = length2 - variance;
   }
   return 0.5 * pi_d * std::max(std::sqrt(square), caustic_lean(meters_[m], ring));

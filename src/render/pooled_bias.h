@@ -23,7 +23,7 @@ struct OwnBias {
 // one meter alone does not show it.
 class NeighbourProfiles {
  public:
-  explicit NeighbourProfiles(std::vector<RingProfile> meters) : meters_(std::move(meters)) {}
+  explicit NeighbourProfiles(std::vector<RingProfile> meters);
   bool tell(size_t m) const;
   // To choose the disc out to a ring by half of the photons, which have the profile `half`; 0 where too few tell.
   StepBias bias_to_choose_by(size_t m, const RingProfile& half, uint32_t ring) const {
@@ -44,6 +44,7 @@ class NeighbourProfiles {
   static double caustic_lean(const RingProfile& p, uint32_t ring);
   double bias_by_edge(size_t m, uint32_t ring) const;
   std::vector<RingProfile> meters_;
+  double certain_;  // standard deviations of what counts, of so many meters
 };
 
 // Of a set's meters, in its order, in which neighbours follow each other.
