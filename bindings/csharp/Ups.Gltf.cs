@@ -70,6 +70,14 @@ namespace Ups
                 Native.ups_gltf_get_source_file(Handle, kind, id, p, capacity, needed), Check);
         }
 
+        /// <summary>Where in the file a part of the scene stands, such as: node 7 "Tap"; id: its own, or its number in a
+        /// message of the core.</summary>
+        public string Place(GltfPart part, uint id)
+        {
+            return Library.Text((p, capacity, needed) =>
+                Native.ups_gltf_get_place(Handle, part, id, p, capacity, needed), Check);
+        }
+
         /// <summary>Where the meters of a sensor are, xyz each, in the scene's frame.</summary>
         public void Meters(int index, out double[] positionsM, out float[] normals)
         {

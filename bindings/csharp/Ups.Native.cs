@@ -382,6 +382,15 @@ namespace Ups
         Lightmap = 5,
     }
 
+    public enum GltfPart : int
+    {
+        Material = 0,
+        Mesh = 1,
+        Instance = 2,
+        Luminaire = 3,
+        Fixture = 4,
+    }
+
     public enum ReportScale : int
     {
         Linear = 0,
@@ -2716,6 +2725,9 @@ namespace Ups
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_gltf_get_source_file(GltfImportHandle import_result, SourceKind kind, uint id,
             byte* text, UIntPtr capacity, UIntPtr* needed);
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        internal static extern Status ups_gltf_get_place(GltfImportHandle import_result, GltfPart part, uint id, byte*
+            text, UIntPtr capacity, UIntPtr* needed);
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         internal static extern Status ups_gltf_read_meters(GltfImportHandle import_result, uint index, double*
             positions_m, float* normals, UIntPtr count);

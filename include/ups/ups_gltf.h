@@ -86,6 +86,20 @@ UPS_API ups_status ups_gltf_get_source_name(const ups_gltf_import *import_result
  * file. Two calls and errors, as ups_gltf_get_source_name. */
 UPS_API ups_status ups_gltf_get_source_file(const ups_gltf_import *import_result, ups_source_kind kind, uint32_t id,
                                             char *text, size_t capacity, size_t *needed);
+/* Parts of a scene that messages of the core name by number, such as "material 3". */
+typedef int32_t ups_gltf_part;
+enum {
+  UPS_GLTF_PART_MATERIAL = 0,
+  UPS_GLTF_PART_MESH = 1,
+  UPS_GLTF_PART_INSTANCE = 2,  /* its node, and which primitive of several */
+  UPS_GLTF_PART_LUMINAIRE = 3, /* lights too */
+  UPS_GLTF_PART_FIXTURE = 4
+};
+/* Where in the file a part of the scene stands, as this library's messages tell it: 'material 2 "Tiles"', 'node 7 "Tap"';
+ * counted from 0, with the name that it has there. id: the `v` of its id, or the number in a message. Two calls, as
+ * ups_gltf_get_sensor_name. Errors: INVALID_ARGUMENT for what the file did not add, such as parts of fixtures. */
+UPS_API ups_status ups_gltf_get_place(const ups_gltf_import *import_result, ups_gltf_part part, uint32_t id, char *text,
+                                      size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;
  * count must be the sensor's meter_count. Of an observer, with count 1, its eye and the direction that it looks
  * along. Errors: INVALID_ARGUMENT for a surface or lightmap, whose meters are where ups_scene_read_meter_places finds

@@ -65,6 +65,10 @@ class GltfImport : public Handle<ups_gltf_import, detail::DestroyGltf> {
   std::string get_source_file(ups_source_kind kind, std::uint32_t id) const {
     return detail::text<detail::check_gltf>(ups_gltf_get_source_file, get(), kind, id);
   }
+  // Where in the file a part of the scene stands: 'node 7 "Tap"'.
+  std::string get_place(ups_gltf_part part, std::uint32_t id) const {
+    return detail::text<detail::check_gltf>(ups_gltf_get_place, get(), part, id);
+  }
   std::string get_warnings() const { return detail::text<detail::check_gltf>(ups_gltf_get_warnings, get()); }
 };
 

@@ -82,6 +82,7 @@ OF_FUNCTION = {
     "ups_exr_get_size.width": "Gets the pixels in a row.", "ups_exr_get_size.height": "Gets the rows.",
     "ups_gltf_get_source_name.id": "The `v` of its ups_luminaire_id or ups_instance_id.",
     "ups_gltf_get_source_file.id": "The `v` of its ups_luminaire_id.",
+    "ups_gltf_get_place.id": "The `v` of its id, or the number that a message names.",
     "ups_gltf_read_meters.positions_m": "Gets 3 values a meter; may be NULL.",
     "ups_gltf_read_meters.normals": "Gets 3 values a meter, of length 1; may be NULL.",
     "ups_scene_set_mesh_vertices.positions_m": "3 values a vertex, tight.",

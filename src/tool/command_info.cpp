@@ -38,14 +38,16 @@ SceneReport scene_report_of(const std::string& file, const LoadedScene& scene) {
   report.info.struct_size = sizeof report.info;
   check(ups_scene_get_info(scene.scene, &report.info));
   const auto text = [&](ups_scene_text topic) {
-    return lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
+    std::vector<std::string> lines = lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
       return ups_scene_get_text(scene.scene, topic, to, capacity, needed);
     }));
+    for (std::string& line : lines) line = for_people(scene, line);
+    return lines;
   };
   report.sensors = scene.sensors;
   report.effects = text(UPS_SCENE_TEXT_EFFECTS);
   report.techniques = text(UPS_SCENE_TEXT_TECHNIQUES);
-  for (const std::string& line : scene.warnings) append_once(report.warnings, {for_people(scene, line)});
+  append_once(report.warnings, scene.warnings);
   return report;
 }
 

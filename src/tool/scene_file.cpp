@@ -1,4 +1,6 @@
 // How the commands load a scene file: context, import, commit, sensors and warnings.
+#include <algorithm>
+
 #include "tool/handles.h"
 #include "tool/profile_file.h"
 
@@ -40,6 +42,23 @@ SourceWords words_of(const ups_gltf_import* imported, ups_source_kind kind, uint
 
 }  // namespace
 
+namespace {
+
+// Of a part that the file did not add, such as a fixture's: empty.
+std::string place_of(const ups_gltf_import* imported, std::string_view noun, uint32_t number) {
+  constexpr std::string_view nouns[] = {"material", "mesh", "instance", "luminaire", "fixture"};  // UPS_GLTF_PART_*
+  const auto part = ups_gltf_part(std::find(std::begin(nouns), std::end(nouns), noun) - std::begin(nouns));
+  size_t needed = 0;
+  if (ups_gltf_get_place(imported, part, number, nullptr, 0, &needed) != UPS_OK) return {};
+  return read_text(
+      [&](char* to, size_t capacity, size_t* size) {
+        return ups_gltf_get_place(imported, part, number, to, capacity, size);
+      },
+      ups_gltf_last_error);
+}
+
+}  // namespace
+
 LoadedScene import_scene(const std::string& path, const SceneOptions& options) {
   LoadedScene loaded;
   loaded.context = make_context(options.threads);
@@ -61,6 +80,7 @@ LoadedScene import_scene(const std::string& path, const SceneOptions& options) {
   check(status, ups_gltf_last_error);
   loaded.import_result.reset(imported);
   loaded.source_words = [imported](ups_source_kind kind, uint32_t id) { return words_of(imported, kind, id); };
+  loaded.part_words = [imported](std::string_view noun, uint32_t number) { return place_of(imported, noun, number); };
   uint32_t count = 0;
   check(ups_gltf_get_sensor_count(imported, &count), ups_gltf_last_error);
   for (uint32_t i = 0; i < count; ++i) loaded.sensors.push_back(sensor_at(imported, i));
@@ -73,10 +93,11 @@ LoadedScene import_scene(const std::string& path, const SceneOptions& options) {
 void commit_scene(LoadedScene& loaded, const std::string& path) {
   ups_scene* scene = loaded.owned.get();
   const ups_status committed = ups_scene_commit(scene);
-  if (committed != UPS_OK) throw Failure(path + ": " + without_functions(ups_last_error()));
-  append_once(loaded.warnings, lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
-                return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
-              })));
+  if (committed != UPS_OK) throw Failure(path + ": " + for_people(loaded, without_functions(ups_last_error())));
+  for (const std::string& line : lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
+         return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
+       })))
+    append_once(loaded.warnings, {for_people(loaded, line)});
 }
 
 LoadedScene load_scene(const std::string& path, const SceneOptions& options) {

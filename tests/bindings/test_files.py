@@ -53,6 +53,7 @@ def test_a_gltf_file_becomes_a_scene(context, gltf_file):
     assert result.image(view.id).shape == (4, 5, 3)
     source = scene.sources()[0]
     assert imported.source_name(ups.SourceKind(source.kind), source.id) == "lamp"
+    assert imported.place(ups.GltfPart.LUMINAIRE, source.id).endswith('"lamp"')
     assert imported.source_file(ups.SourceKind(source.kind), source.id) == "" and imported.warnings == []
     with pytest.raises(KeyError, match="there are: desk, view"):
         imported["chair"]

@@ -88,6 +88,42 @@ TEST_F(SourceNames, OfEmittingSurfacesAndFixtures) {
   EXPECT_EQ(ups_gltf_get_source_name(nullptr, UPS_SOURCE_INSTANCE, 2, nullptr, 0, &needed), UPS_ERROR_INVALID_ARGUMENT);
 }
 
+// What messages of the core call "material 1" and the like, by the words of the importer's own messages.
+TEST_F(SourceNames, PlacesOfParts) {
+  write("a.ies", "good");
+  SceneBuilder builder;
+  builder.add_square();
+  builder.doc["materials"] = json::array({{{"name", "Tiles"}}, json::object()});
+  json& primitives = builder.doc["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  for (int i : {0, 1}) primitives[size_t(i)]["material"] = i;
+  builder.add_node({{"mesh", 0}, {"name", "wall"}});
+  builder.add_node(lamp("desk lamp"));
+  const json emitter = {{"emitter", {{"shape", "disc"}, {"radius_m", 0.01}, {"flux_lm", 100}}}};
+  builder.add_node({{"name", "spot"}, {"extras", {{"ups", {{"fixture", {{"parts", json::array({emitter})}}}}}}}});
+  import(builder);
+  const auto place = [&](ups_gltf_part part, uint32_t id) {
+    char text[300] = "";
+    size_t needed = 0;
+    EXPECT_EQ(ups_gltf_get_place(imported, part, id, text, sizeof text, &needed), UPS_OK) << part << " " << id;
+    EXPECT_EQ(needed, std::strlen(text) + 1);
+    return std::string(text);
+  };
+  EXPECT_EQ(place(UPS_GLTF_PART_MATERIAL, 1), "material 0 \"Tiles\"");
+  EXPECT_EQ(place(UPS_GLTF_PART_MATERIAL, 0x3000002), "material 1") << "an id's number counts";
+  EXPECT_EQ(place(UPS_GLTF_PART_MESH, 2).substr(0, 6), "mesh 0");
+  const std::string wall = place(UPS_GLTF_PART_INSTANCE, 1), number = wall.substr(0, wall.find(' ', 5));
+  EXPECT_EQ(wall, number + " \"wall\", primitive 0");
+  EXPECT_EQ(place(UPS_GLTF_PART_INSTANCE, 2), number + " \"wall\", primitive 1");
+  EXPECT_NE(place(UPS_GLTF_PART_LUMINAIRE, 1).find("\"desk lamp\""), std::string::npos);
+  EXPECT_NE(place(UPS_GLTF_PART_FIXTURE, 1).find("\"spot\""), std::string::npos);
+  EXPECT_NE(place(UPS_GLTF_PART_INSTANCE, recorded_part_instance(1, 1)).find("\"spot\", part 0"), std::string::npos);
+  size_t needed = 0;
+  for (const auto& [part, id] : {std::pair<ups_gltf_part, uint32_t>{UPS_GLTF_PART_MATERIAL, 3}, {-1, 1}, {5, 1}})
+    EXPECT_EQ(ups_gltf_get_place(imported, part, id, nullptr, 0, &needed), UPS_ERROR_INVALID_ARGUMENT) << part;
+  EXPECT_EQ(ups_gltf_get_place(nullptr, UPS_GLTF_PART_MATERIAL, 1, nullptr, 0, &needed), UPS_ERROR_INVALID_ARGUMENT);
+}
+
 TEST_F(SourceNames, LongNamesAreCut) {
   write("a.ies", "good");
   SceneBuilder builder;

@@ -379,6 +379,25 @@ class Render(ProgramTest):
         warnings = self.render("--iterations", 16, scene=scene)["warnings"]
         self.assertTrue(any(w.startswith("meters spot: ") for w in warnings), msg=warnings)
 
+    def test_warnings_name_parts_of_the_file(self):
+        """What the core calls material 1 and instances 1 and 2; the file's own messages count otherwise and stay."""
+        scene = room()
+        scene["materials"].append({"name": "Glass", "alphaMode": "MASK", "pbrMetallicRoughness":
+                                   {"baseColorFactor": [1, 1, 1, 0.2]}, "extras": {"ups": {"model": "glass"}}})
+        number = len(scene["materials"]) - 1
+        scene["meshes"].append({"primitives": [dict(scene["meshes"][0]["primitives"][0], material=number)]})
+        nodes = len(scene["nodes"])
+        scene["nodes"].append({"name": "material 1", "mesh": len(scene["meshes"]) - 1, "translation": [0, 1, 0]})
+        scene["scenes"][0]["nodes"].append(nodes)
+        path = self.write("room.gltf", scene)
+        for command in ("info", "render"):
+            words = [] if command == "info" else ["--iterations", "1"]
+            warnings = json.loads(self.run_program(command, path, "--json", *words).stdout)["warnings"]
+            told = [w for w in warnings if "is of glass" in w]
+            self.assertEqual([w.startswith(f'material {number} "Glass": ') for w in told], [True], msg=warnings)
+        info = json.loads(self.run_program("info", path, "--json").stdout)
+        self.assertTrue(any('"Glass"' in line for line in info["techniques"] + info["effects"]), msg=info)
+
     def test_choice(self):
         eye = ["emitter_hit", "light_sample"]
         asked = self.render("--method", "ups", "--iterations", 4, "--light-paths", 4096)["choice"]

@@ -17,8 +17,8 @@ from . import _ffi
 from ._convert import translation
 from ._core import Context, version
 from ._ffi import (AlphaMode, Channel, CollimatorWall, Contribution, Criterion, Effect, EmitterShape, Finish,
-                   FixtureId, FixturePartId, GlareFlag, GlareMetric, GltfLayout, GltfSensorKind, InstanceId, JobState,
-                   Layer, LightKind, LightPart, Limit, LogLevel, LuminaireId, MaterialId, MaterialModel, MeshId,
+                   FixtureId, FixturePartId, GlareFlag, GlareMetric, GltfLayout, GltfPart, GltfSensorKind, InstanceId,
+                   JobState, Layer, LightKind, LightPart, Limit, LogLevel, LuminaireId, MaterialId, MaterialModel, MeshId,
                    MeterKind, Method, Observer, OpeningShape, PathEvent, Perturbation, PhotometricType, Photons,
                    PositionIndex, Priority, ProfileFormat, ProfileSymmetry, Progress, Projection, Reading,
                    ReflectorProfile, ReportColours, ReportExposure, ReportQuantity, ReportScale, ResultText, SceneText,
@@ -39,8 +39,8 @@ from ._status import Error
 
 __all__ = ["AlphaMode", "Channel", "CollimatorWall", "CommitJob", "Context", "Contribution", "Criterion", "Effect",
            "EmitterShape", "Error", "ExrImage", "Finish", "Fixture", "FixtureId", "FixturePartId", "GlareFlag",
-           "GlareMetric", "GltfImport", "GltfLayout", "GltfSensor", "GltfSensorKind", "InstanceId", "Job", "JobState",
-           "Layer", "LightKind", "LightPart", "Limit", "LogLevel", "LuminaireId", "MaterialId", "MaterialModel",
+           "GlareMetric", "GltfImport", "GltfLayout", "GltfPart", "GltfSensor", "GltfSensorKind", "InstanceId", "Job",
+           "JobState", "Layer", "LightKind", "LightPart", "Limit", "LogLevel", "LuminaireId", "MaterialId", "MaterialModel",
            "MeshId", "MeterKind", "Method", "Observer", "OpeningShape", "PathEvent", "Perturbation", "PhotometricType",
            "Photons", "Picture", "PositionIndex", "Priority", "Profile", "ProfileFormat", "ProfileSymmetry", "Progress",
            "Projection", "Reading", "ReflectorProfile", "ReplayedPath", "ReportColours", "ReportExposure",

@@ -339,6 +339,14 @@ class GltfLayout(enum.IntEnum):
     LIGHTMAP = 5
 
 
+class GltfPart(enum.IntEnum):
+    MATERIAL = 0
+    MESH = 1
+    INSTANCE = 2
+    LUMINAIRE = 3
+    FIXTURE = 4
+
+
 class ReportScale(enum.IntEnum):
     LINEAR = 0
     LOGARITHMIC = 1
@@ -2427,6 +2435,8 @@ PROTOTYPES: dict[str, dict[str, tuple[Any, list[Any], dict[int, str]]]] = {
             {1: "kind", 2: "id"}),
         "ups_gltf_get_source_file": (c_int32, [c_void_p, c_int32, c_uint32, c_char_p, c_size_t, POINTER(c_size_t)],
             {1: "kind", 2: "id"}),
+        "ups_gltf_get_place": (c_int32, [c_void_p, c_int32, c_uint32, c_char_p, c_size_t, POINTER(c_size_t)],
+            {1: "part", 2: "id"}),
         "ups_gltf_read_meters": (c_int32, [c_void_p, c_uint32, POINTER(c_double), POINTER(c_float), c_size_t],
             {1: "index"}),
         "ups_gltf_get_warnings": (c_int32, [c_void_p, c_char_p, c_size_t, POINTER(c_size_t)], {}),

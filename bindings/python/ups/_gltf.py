@@ -17,7 +17,7 @@ import numpy as np
 from . import _ffi
 from ._convert import c_path, describe, lines_of, read_text, target
 from ._core import Context, Handle
-from ._ffi import GltfLayout, GltfSensorKind, SensorId, SourceKind
+from ._ffi import GltfLayout, GltfPart, GltfSensorKind, SensorId, SourceKind
 from ._library import load
 from ._status import check
 
@@ -92,6 +92,11 @@ class GltfImport(Handle):
     def source_file(self, kind: SourceKind, id: int) -> str:
         """The photometric file of a luminaire as the scene file names it; empty: none, or within the scene file."""
         return read_text(self._lib.ups_gltf_get_source_file, self, kind, id, checked=_check)
+
+    def place(self, part: GltfPart, id: int) -> str:
+        """Where in the file a part of the scene stands, 'node 7 "Tap"'; id: its own, or its number in a message of the
+        core. Errors: UpsError for what the file did not add."""
+        return read_text(self._lib.ups_gltf_get_place, self, part, id, checked=_check)
 
     @property
     def warnings(self) -> list[str]:

@@ -271,12 +271,14 @@ void Importer::add_fixture(const JsonReader& reader, const Affine& frame) {
   std::copy(std::begin(frame.m), std::end(frame.m), desc.to_world);
   ups_fixture_id id{};
   check(ups_scene_add_fixture(scene_, fixture_of(reader), &desc, &id), reader.where());
+  note_place(UPS_GLTF_PART_FIXTURE, id.v, node_where_);
   const std::vector<Json>& parts = reader.array("parts");
   for (uint32_t i = 0; i < parts.size(); ++i) {
     if (!parts[i].find("emitter")) continue;
     ups_instance_id instance{};
     check(ups_scene_get_fixture_instance(scene_, id, {i + 1}, &instance), reader.where());
     name_source(UPS_SOURCE_INSTANCE, instance.v, "fixture");
+    note_place(UPS_GLTF_PART_INSTANCE, instance.v, node_where_ + ", part " + std::to_string(i));
   }
 }
 

@@ -90,6 +90,7 @@ struct ups_gltf_import {
   ups::Owner<ups_gltf_import> owner;
   std::vector<ups::gltf::Sensor> sensors;
   std::vector<ups::gltf::SourceName> sources;
+  ups::gltf::Places places;
   std::string warnings;
 };
 
@@ -142,7 +143,8 @@ ups_status ups_gltf_import_file(ups_context* context, const char* path, const up
     importer.run(path);
     std::string warnings;
     for (const std::string& warning : importer.warnings) warnings += (warnings.empty() ? "" : "\n") + warning;
-    *out = new ups_gltf_import{{}, std::move(importer.sensors), std::move(importer.sources), std::move(warnings)};
+    *out = new ups_gltf_import{{}, std::move(importer.sensors), std::move(importer.sources), std::move(importer.places),
+                               std::move(warnings)};
   });
 }
 
@@ -173,6 +175,17 @@ ups_status ups_gltf_get_source_name(const ups_gltf_import* import_result, ups_so
 ups_status ups_gltf_get_source_file(const ups_gltf_import* import_result, ups_source_kind kind, uint32_t id, char* text,
                                     size_t capacity, size_t* needed) {
   return guarded([&] { ups::extras::copy_text(source_of(import_result, kind, id).file, text, capacity, needed); });
+}
+
+ups_status ups_gltf_get_place(const ups_gltf_import* import_result, ups_gltf_part part, uint32_t id, char* text,
+                              size_t capacity, size_t* needed) {
+  return guarded([&] {
+    ups::extras::require_handle(import_result, "import_result");
+    require(part >= UPS_GLTF_PART_MATERIAL && part <= UPS_GLTF_PART_FIXTURE, "part must be one of UPS_GLTF_PART_*");
+    const auto found = import_result->places.find({part, id & ups::gltf::number_bits});
+    require(found != import_result->places.end(), "no such part of this id comes from the file");
+    ups::extras::copy_text(found->second, text, capacity, needed);
+  });
 }
 
 ups_status ups_gltf_read_meters(const ups_gltf_import* import_result, uint32_t index, double* positions_m,

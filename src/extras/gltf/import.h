@@ -23,6 +23,8 @@ struct Sensor {
   std::vector<float> normals;
 };
 
+inline constexpr uint32_t number_bits = 0xffffff;  // of an id: its number, as messages of the core have it
+
 struct UniqueNames {
   std::set<std::string> taken;
   std::map<std::string, int> next;  // of a base, the number that it is worth trying: all below are taken
@@ -55,6 +57,9 @@ struct SourceName {
   std::string file;  // photometric, of a luminaire; as the scene file names it
 };
 
+// By part and number: where in the file.
+using Places = std::map<std::pair<ups_gltf_part, uint32_t>, std::string>;
+
 struct PlacedMesh {  // a primitive
   ups_mesh_id id;
   bool emits;
@@ -85,9 +90,12 @@ class Importer {
 
   std::vector<Sensor> sensors;
   std::vector<SourceName> sources;
+  Places places;
   std::vector<std::string> warnings;
 
  private:
+  // By the core's number, as its messages have it.
+  void note_place(ups_gltf_part part, uint32_t id, const std::string& where);
   // Throws what the core said, with the place in the file, unless status is OK.
   void check(ups_status status, const std::string& where) const;
   // The same of a fixture's part: the core counts parts from 1, the file from 0, so the core's number is left out.
@@ -164,7 +172,7 @@ class Importer {
   std::map<std::string, uint32_t> nameless_;  // sources on nodes without a name, by their word
   std::vector<char> visited_;  // nodes
   uint32_t group_ = 0;         // of what the present node emits
-  std::string node_name_;      // of the present node
+  std::string node_name_, node_where_;  // of the present node
   struct {
     std::vector<float> angle_deg, transmittance, reflectance;
   } pane_;                     // of the present material, until the scene has copied it

@@ -189,6 +189,7 @@ Material Importer::add_material(const JsonReader& material) {
   read_alpha(material, desc);
   ups_material_id id{};
   check(ups_scene_add_material(scene_, &desc, &id), material.where());
+  note_place(UPS_GLTF_PART_MATERIAL, id.v, material.where());
   const bool textured = desc.reflectance_texture.v || desc.roughness_texture.v || desc.metallic_texture.v ||
                         desc.normal_texture.v || desc.alpha_texture.v;
   const bool emits = desc.luminance_cd_m2[0] > 0 || desc.luminance_cd_m2[1] > 0 || desc.luminance_cd_m2[2] > 0;

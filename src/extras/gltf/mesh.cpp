@@ -160,6 +160,7 @@ std::optional<PlacedMesh> Importer::add_primitive(const tinygltf::Primitive& pri
   desc.indices = indices.data();
   ups_mesh_id id{};
   check(ups_scene_add_mesh(scene_, &desc, &id), where);
+  note_place(UPS_GLTF_PART_MESH, id.v, where);
   return PlacedMesh{id, material.emits, desc.triangle_count, !uvs.empty()};
 }
 

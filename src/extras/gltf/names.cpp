@@ -67,6 +67,11 @@ void Importer::name_source(ups_source_kind kind, uint32_t id, const char* word, 
   const std::string base = number ? std::string(word) + "_" + std::to_string(number)
                                   : fit_for_files(node_name_).substr(0, max_name_bytes - room);
   sources.push_back({kind, id, unique_in(source_names_, base, "_standard_error"), file});
+  if (kind == UPS_SOURCE_LUMINAIRE) note_place(UPS_GLTF_PART_LUMINAIRE, id, node_where_);
+}
+
+void Importer::note_place(ups_gltf_part part, uint32_t id, const std::string& where) {
+  places.insert_or_assign({part, id & number_bits}, where);
 }
 
 }  // namespace ups::gltf

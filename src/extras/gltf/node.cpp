@@ -98,7 +98,7 @@ void Importer::read_node(int index, const Affine& parent) {
   const NodeTransform local = local_transform(source, where);
   const auto extras = node.ups_extras();
   group_ = extras ? uint32_t(extras->integer("group", 0, 0, std::numeric_limits<uint32_t>::max())) : 0;
-  node_name_ = source.name;
+  node_name_ = source.name, node_where_ = where;
   node_instances_.clear(), node_meshes_.clear();
   if (source.mesh >= 0) add_instances(source.mesh, parent * local.full, where);
   if (source.skin >= 0) warn(where + ": its skin is skipped");
@@ -158,7 +158,8 @@ void Importer::add_instances(int index, const Affine& to_world, const std::strin
     warn(where + ": its mesh is skipped, as its matrix has a scale of 0");
     return;
   }
-  for (const PlacedMesh& placed : mesh(index)) {
+  const std::vector<PlacedMesh>& primitives = mesh(index);
+  for (const PlacedMesh& placed : primitives) {
     ups_instance_desc desc;
     ups_instance_desc_init(&desc, sizeof desc);
     desc.mesh = placed.id;
@@ -166,6 +167,8 @@ void Importer::add_instances(int index, const Affine& to_world, const std::strin
     std::copy(std::begin(to_world.m), std::end(to_world.m), desc.to_world);
     ups_instance_id instance{};
     check(ups_scene_add_instance(scene_, &desc, &instance), where);
+    note_place(UPS_GLTF_PART_INSTANCE, instance.v,
+               primitives.size() == 1 ? where : where + ", primitive " + std::to_string(&placed - primitives.data()));
     if (placed.emits) name_source(UPS_SOURCE_INSTANCE, instance.v, "instance");
     node_instances_.push_back(instance);
     node_meshes_.push_back(placed);

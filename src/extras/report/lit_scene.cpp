@@ -1,7 +1,10 @@
 // See lit_scene.h: what the core tells of a sensor by its id.
 #include "report/lit_scene.h"
 
+#include <cctype>
+#include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "report/map_data.h"
 #include "report/meter_places.h"
@@ -116,8 +119,70 @@ ups_scene_info info_of(const LitScene& scene) {
   return info;
 }
 
-// The library knows sensors by their numbers, and tells programmers what to call.
+namespace {
+
+struct Noun {
+  std::string_view one, many;
+};
+constexpr Noun nouns[] = {{"material", "materials"}, {"mesh", "meshes"}, {"instance", "instances"},
+                          {"luminaire", "luminaires"}, {"fixture", "fixtures"}};
+
+bool is_letter_or_digit(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+// A number that stands alone at `at`, which moves beyond it.
+std::optional<uint32_t> whole_number(std::string_view text, size_t& at) {
+  uint32_t number = 0;
+  const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+  const size_t next = size_t(end - text.data());
+  if (error != std::errc() || (next < text.size() && is_letter_or_digit(text[next])) ||
+      (next + 1 < text.size() && text[next] == '.' && is_letter_or_digit(text[next + 1])))
+    return {};
+  at = next;
+  return number;
+}
+
+// "material 3", "instances 1, 2 and 5 more" at `at`, which moves beyond what it has words for; none: nothing of that kind.
+std::string words_at(const LitScene& scene, std::string_view line, size_t& at) {
+  for (const Noun& noun : nouns)
+    for (const std::string_view word : {noun.many, noun.one}) {
+      if (line.substr(at, word.size()) != word) continue;
+      size_t end = at + word.size();
+      if (line.substr(end, 3) == " id") end += 3;
+      if (line.substr(end, 1) != " ") continue;
+      std::string words;
+      std::string_view before;
+      for (size_t next = end + 1;;) {
+        const std::optional<uint32_t> number = whole_number(line, next);
+        if (!number || line.substr(next, 5) == " more") break;
+        const std::string part = scene.part_words(noun.one, *number);
+        if (part.empty()) return {};
+        (words += before) += part;
+        end = next;
+        before = line.substr(end, 2) == ", " ? ", " : line.substr(end, 5) == " and " ? " and " : "";
+        if (before.empty()) break;
+        next = end + before.size();
+      }
+      if (!words.empty()) at = end;
+      return words;
+    }
+  return {};
+}
+
+std::string with_part_words(const LitScene& scene, std::string_view line) {
+  std::string out;
+  for (size_t at = 0; at < line.size();) {
+    const bool starts = at == 0 || !is_letter_or_digit(line[at - 1]);
+    const std::string words = starts ? words_at(scene, line, at) : std::string();
+    words.empty() ? out += line[at++] : out += words;
+  }
+  return out;
+}
+
+}  // namespace
+
+// The library knows sensors and parts of a scene by their numbers, and tells programmers what to call.
 std::string for_people(const LitScene& scene, std::string line) {
+  if (scene.part_words) line = with_part_words(scene, line);
   if (const size_t call = line.find("; see ups_"); call != std::string::npos) line.erase(call);
   for (const SensorEntry& sensor : scene.sensors) {
     const bool observer = sensor.info.kind == SensorKind::observer;  // to the library, also meters at an eye

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/handles.h"
@@ -40,7 +41,9 @@ struct LitScene {
   const ups_scene* scene = nullptr;  // committed
   std::vector<SensorEntry> sensors;
   std::function<SourceWords(ups_source_kind, uint32_t id)> source_words;
-  std::vector<std::string> warnings;  // beside those of the result, each once
+  // What people call the "material 3" of a message, by noun and number; empty: as it is. May be empty itself.
+  std::function<std::string(std::string_view, uint32_t)> part_words;
+  std::vector<std::string> warnings;  // for people, beside those of the result, each once
 };
 
 // Where an observer's eye is, and the direction that it looks along.
@@ -57,6 +60,7 @@ std::string source_name(const LitScene& scene, ups_source_kind kind, uint32_t id
 
 ups_scene_info info_of(const LitScene& scene);
 
-std::string for_people(const LitScene& scene, std::string line);  // of the library: sensors by their names
+// What the library tells, with sensors and parts of the scene by their names.
+std::string for_people(const LitScene& scene, std::string line);
 
 }  // namespace ups::report

@@ -118,6 +118,7 @@ LitScene lit_scene_of(const ups_scene* scene, const ups_result* result, const up
   lit.warnings = lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
     return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
   }));
+  for (std::string& line : lit.warnings) line = for_people(lit, line);
   return lit;
 }
 

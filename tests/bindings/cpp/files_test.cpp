@@ -97,6 +97,7 @@ TEST(Gltf, FillsAScene) {
   const auto sources = scene.sources();
   ASSERT_EQ(sources.size(), 1u);
   EXPECT_EQ(import.get_source_name(sources[0].kind, sources[0].id), "lamp");
+  EXPECT_NE(import.get_place(UPS_GLTF_PART_LUMINAIRE, sources[0].id).find("\"lamp\""), std::string::npos);
   EXPECT_EQ(import.get_source_file(sources[0].kind, sources[0].id), "");
   expect_error(UPS_ERROR_INVALID_ARGUMENT, {}, [&] { import.read_meters(0); });
   std::remove(path.c_str());

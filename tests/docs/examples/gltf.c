@@ -71,6 +71,12 @@ int main(void) {
   /* [end] */
   expect(strcmp(name, "downlight") == 0 && strcmp(photometry, "example.ies") == 0);
 
+  /* [ups_gltf_get_place] */
+  char place[256]; /* of what a message calls "luminaire 1" */
+  check(ups_gltf_get_place(file, UPS_GLTF_PART_LUMINAIRE, 1, place, sizeof place, NULL));
+  /* [end] */
+  expect(strstr(place, "node ") == place && strstr(place, "downlight"));
+
   /* [ups_gltf_get_warnings] */
   size_t needed;
   check(ups_gltf_get_warnings(file, NULL, 0, &needed)); /* how much */
