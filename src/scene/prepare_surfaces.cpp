@@ -136,8 +136,9 @@ SurfaceTexturing Builder::make_texturing(uint32_t number, const MaterialDescript
     warn_of("material", number, "emits light: the alpha is ignored, so there are no holes in what bears it");
   }
   if (t.alpha_mode != SurfaceTexturing::opaque && d.model == UPS_MATERIAL_GLASS) {
+    const float whole = t.alpha_mode == SurfaceTexturing::mask ? t.alpha_cutoff : 1.0f;
     t.alpha_mode = SurfaceTexturing::opaque;  // a boundary with holes, or that is there for some light alone, bounds nothing
-    if (t.alpha || t.alpha_factor < 1)
+    if (t.alpha || t.alpha_factor < whole)
       warn_of("material", number, "is of glass, which bounds a solid and says itself what it lets through: its alpha is "
               "ignored, so there are no holes in it; GLAZING may have some");
   }
