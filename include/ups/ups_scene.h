@@ -41,7 +41,8 @@ typedef struct ups_material_desc {
                                                    * the same reflectance, roughness */
   ups_alpha_mode alpha_mode;
   float alpha, alpha_cutoff;                      /* times alpha_texture; MASK: a hole where it is < cutoff; BLEND:
-                                                   * the share of the light that meets it, not for GLASS */
+                                                   * the share of the light that meets it. GLASS, which bounds a
+                                                   * solid, and what emits have none: a warning says so */
   float luminance_cd_m2[3];                       /* Lambertian emission, front side; 0: none */
   int32_t emits_both_sides;                       /* 0 or 1; 1: twice the flux */
   float normal_scale;                             /* of the normal texture's x and y */
