@@ -97,7 +97,7 @@ enum {
 };
 /* Where in the file a part of the scene stands, as this library's messages tell it: 'material 2 "Tiles"', 'node 7 "Tap"';
  * counted from 0, with the name that it has there. id: the `v` of its id, or the number in a message. Two calls, as
- * ups_gltf_get_sensor_name. Errors: INVALID_ARGUMENT for what the file did not add, such as parts of fixtures. */
+ * ups_gltf_get_sensor_name. Errors: INVALID_ARGUMENT for what the file did not add, such as meshes of fixtures. */
 UPS_API ups_status ups_gltf_get_place(const ups_gltf_import *import_result, ups_gltf_part part, uint32_t id, char *text,
                                       size_t capacity, size_t *needed);
 /* Where the meters are, in the scene's frame: +Z up, metres, 3 values a meter, normals of length 1. Either may be NULL;

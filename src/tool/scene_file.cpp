@@ -40,11 +40,7 @@ SourceWords words_of(const ups_gltf_import* imported, ups_source_kind kind, uint
   return {text(ups_gltf_get_source_name), text(ups_gltf_get_source_file)};
 }
 
-}  // namespace
-
-namespace {
-
-// Of a part that the file did not add, such as a fixture's: empty.
+// Of a part that the file did not add, such as a fixture's mesh: empty.
 std::string place_of(const ups_gltf_import* imported, std::string_view noun, uint32_t number) {
   constexpr std::string_view nouns[] = {"material", "mesh", "instance", "luminaire", "fixture"};  // UPS_GLTF_PART_*
   const auto part = ups_gltf_part(std::find(std::begin(nouns), std::end(nouns), noun) - std::begin(nouns));

@@ -95,7 +95,7 @@ class GltfImport(Handle):
 
     def place(self, part: GltfPart, id: int) -> str:
         """Where in the file a part of the scene stands, 'node 7 "Tap"'; id: its own, or its number in a message of the
-        core. Errors: UpsError for what the file did not add."""
+        core. Errors: ups.Error for what the file did not add."""
         return read_text(self._lib.ups_gltf_get_place, self, part, id, checked=_check)
 
     @property
