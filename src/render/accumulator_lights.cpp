@@ -48,7 +48,7 @@ Accumulator::ClassChoices Accumulator::choose_discs(size_t set, LightClass of, c
       choices[m] = sums.choose(m * rows, rings, visits(m), told);
       if (!alone) continue;
       const MeterRings::Photons p = sums.read(m * rows, rings, choices[m], visits(m));
-      own[m] = {spread(p.bias.data(), visits(m)), p.lx, p.bias_scale};
+      own[m] = {spread(p.bias.data(), visits(m)), p.lx, p.bias_scale, p.widest_scale};
     }
     if (alone) neighbours = neighbour_curvatures(own);
   }
@@ -76,7 +76,8 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   if (caustics.caustics > 0) {
     light.sums.add(caustics);
     light.photons.add(caustics);
-    own[caustic_light] = {spread(caustics.bias.data(), light.visits), caustics.lx, caustics.bias_scale};
+    own[caustic_light] = {spread(caustics.bias.data(), light.visits), caustics.lx, caustics.bias_scale,
+                          caustics.widest_scale};
   }
   const CausticSearch search = point ? CausticSearch{area * light.visits, double(light.sums.caustics)}
                                      : search_about_cell(set, m, column);

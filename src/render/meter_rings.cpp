@@ -327,6 +327,7 @@ void MeterRings::Photons::add(const Photons& o) {
   count_up(caustics, o.caustics);
   choice_variance += o.choice_variance;
   bias_scale = std::max(bias_scale, o.bias_scale);
+  widest_scale = std::max(widest_scale, o.widest_scale);
   caustic.shift += o.caustic.shift, caustic.chance += o.caustic.chance;
   halves_differ |= o.halves_differ;
   brings_direct |= o.brings_direct;
@@ -372,6 +373,7 @@ MeterRings::Photons MeterRings::read(size_t row, const Rings& rings, const Choic
   if (p.halves_differ)
     p.choice_variance = 0.25 * s.bias2_between(std::max(choice[0], choice[1]), std::min(choice[0], choice[1]), 2);
   p.bias_scale = share * s.bias_scale[choice[0]] + (1 - share) * s.bias_scale[choice[1]];
+  p.widest_scale = s.bias_scale[rings.count - 1];
 
   const double t = t_quantile(std::max(visits, min_batches));
   const uint32_t outermost = rings.count - 1;

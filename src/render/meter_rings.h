@@ -102,6 +102,7 @@ class MeterRings {
     SampleOrigin largest;                     // the same
     double choice_variance = 0;               // lx2, of the reading by which discs were chosen
     double bias_scale = 0;                    // of the discs: light that changes evenly is biased in proportion
+    double widest_scale = 0;                  // the same of the widest disc
     double narrower = 0;  // lx; a least error bound: what narrower discs say, and few photons leave open
     NarrowLight caustic;  // that may be added to it
     bool halves_differ = false;  // in their discs

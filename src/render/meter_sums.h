@@ -46,7 +46,7 @@ struct MeterLight {
   double bias_of(LightPart part) const { return may_be_merged(part) ? bias.mean : 0; }
   uint32_t flags(const ups_meter_reading& reading) const;
   Sample largest_sample() const { return {sums.paths[whole_light].largest, sums.largest}; }
-  OwnBias own_bias() const { return {spread(sums.bias, visits), merged_lx(), photons.bias_scale}; }
+  OwnBias own_bias() const { return {spread(sums.bias, visits), merged_lx(), photons.bias_scale, photons.widest_scale}; }
   double merged_lx() const;  // at most: of light that photons may bring; of the rest bias is no share
   // Standard error and bound; -1: not known. apart: what the bound is made of, lx; nothing where it is not known.
   std::pair<float, float> error_of(LightPart part, MeterError* apart = nullptr) const;

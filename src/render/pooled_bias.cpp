@@ -22,9 +22,11 @@ struct Pooled {
   double mean, variance_of_mean, between;
 };
 
-// Of meters with discs of similar size: a disc is narrow where light is not like its neighbours'.
+// Of meters that took similar shares of their discs: a disc that is chosen narrow is so as light is not like its
+// neighbours', one that walls leave narrow is not.
 bool alike(const OwnBias& a, const OwnBias& b) {
-  return b.bias_scale <= 2.1 * a.bias_scale && a.bias_scale <= 2.1 * b.bias_scale;
+  const auto share = [](const OwnBias& m) { return m.widest_scale > 0 ? m.bias_scale / m.widest_scale : m.bias_scale; };
+  return share(b) <= 2.1 * share(a) && share(a) <= 2.1 * share(b);
 }
 
 // between: so many standard deviations of chance, of the chi-square that tells of it, more than estimated.

@@ -7,10 +7,11 @@
 
 namespace ups {
 
-// Of a meter, estimated by itself. lx: of the light that may be merged; bias_scale: of its disc (Rings); 0: without one.
+// Of a meter, estimated by itself. lx: of the light that may be merged; bias_scale: of its disc (Rings), 0: without one;
+// widest_scale: of the whole disc that it could have taken, which walls cut, 0: as others.
 struct OwnBias {
   Spread bias;
-  double lx, bias_scale;
+  double lx, bias_scale, widest_scale = 0;
   double scale() const { return bias_scale > 0 ? lx * bias_scale : lx; }
   // meters: of its set. By chance alone one meter in 100 has 3 standard errors by 16 batches: of more, more are asked for.
   bool is_beyond_doubt(size_t meters) const {

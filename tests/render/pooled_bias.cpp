@@ -79,6 +79,18 @@ TEST(PooledBias, ANarrowDiscIsNotToldByWideOnes) {
   EXPECT_EQ(row.pooled[200].standard_error, 1);
 }
 
+// A corner's is whole as theirs are.
+TEST(PooledBias, ADiscThatWallsLeaveNarrowIsToldByWideOnes) {
+  for (const bool chosen : {false, true}) {
+    Row row(0, 0);
+    for (OwnBias& own : row.own) own.widest_scale = r2;
+    row.own[200].bias_scale = r2 / 4;
+    if (!chosen) row.own[200].widest_scale = r2 / 4;
+    row.pool();
+    EXPECT_EQ(row.pooled[200].standard_error < 0.2, !chosen);
+  }
+}
+
 // Of a set of 400 meters chance alone makes some of 4 standard errors, of 25 hardly any.
 TEST(PooledBias, WhatIsBeyondDoubtStays) {
   for (const double bias : {4.0, 6.0}) {
