@@ -48,6 +48,7 @@ class EulumdatReader {
   double light_output_percent_ = 0, conversion_ = 1, plane_step_ = 0, gamma_step_ = 0;
   double down_percent_ = -1;  // < 0: not stated
   std::vector<LampSet> lamps_;
+  std::vector<size_t> flux_lines_;  // of each
   std::vector<double> gamma_deg_;
   std::vector<Plane> planes_;
 };
@@ -59,6 +60,7 @@ void EulumdatReader::keep(const char* keyword, const char* name) {
 
 double EulumdatReader::keep_number(const char* keyword, const char* name) {
   const double value = in_.number_or_zero(name, warnings_);
+  in_.may_be_thousands();
   if (value != 0) keywords_.push_back({keyword, shortest(value)});
   return value;
 }
@@ -97,6 +99,7 @@ void EulumdatReader::read_head() {
 void EulumdatReader::read_opening() {
   const auto size = [&](const char* name) {
     double mm = in_.number_or_zero(name, warnings_);
+    in_.may_be_thousands();
     if (mm < 0) warn(in_.at(), std::string(name) + " is " + shown(mm) + " mm; its sign is ignored");
     mm = std::abs(mm);
     if (mm > 1e9) fail_at(in_.at(), std::string(name) + " is " + shown(mm) + " mm; it must be below a million metres");
@@ -187,13 +190,19 @@ void EulumdatReader::read_lamps() {
   if (in_.peek(6 * n).size() < 6 * n)
     fail_at(lamp_line_, "the number of lamp sets is " + std::to_string(n) + ", but the file ends within them");
   lamps_.resize(n);
+  flux_lines_.resize(n);
   const auto count = [&](LampSet& s) {
     const double value = in_.number("the number of lamps");
     if (!(std::abs(value) <= 1e9)) fail_at(in_.at(), "the number of lamps is " + shown(value) + "; more than 1e9");
     s.count = int(std::lround(value));
+    if (value != s.count) warn(in_.at(), "the number of lamps is " + shown(value) + "; taken as " + std::to_string(s.count));
   };
   const auto type = [&](LampSet& s) { s.type = in_.line("the lamps' type"); };
-  const auto flux = [&](LampSet& s) { s.flux_lm = in_.number("the lamps' flux"); };
+  const auto flux = [&](LampSet& s) {
+    s.flux_lm = in_.number("the lamps' flux");
+    in_.may_be_thousands();
+    flux_lines_[size_t(&s - lamps_.data())] = in_.at();
+  };
   const auto colour = [&](LampSet& s) { s.colour = in_.line("the lamps' colour"); };
   const auto rendering = [&](LampSet& s) { s.colour_rendering = in_.line("the lamps' colour rendering"); };
   const auto power = [&](LampSet& s) {
@@ -225,7 +234,7 @@ void EulumdatReader::choose_lamps() {
     warn(lamp_line_, std::to_string(n) + " lamp sets, which are alternatives; number " + std::to_string(i + 1) +
                          " is taken: " + s.type + ", " + shown(s.flux_lm) + " lm");
   if (!(s.flux_lm > 0) || s.flux_lm > 1e12)
-    fail_at(lamp_line_,
+    fail_at(flux_lines_[i],
             "the flux of lamp set " + std::to_string(i + 1) + " is " + shown(s.flux_lm) +
                 " lm; the intensities are per 1000 lm of it, so it must be greater than 0 and at most 1e12");
   const auto add = [&](const char* name, const std::string& text) {
@@ -309,6 +318,7 @@ void EulumdatReader::read_intensities(const std::vector<double>& stored) {
     for (size_t g = 0; g < gamma_count_; ++g) {
       bool empty;
       double value = in_.element("intensity ", p * gamma_count_ + g + 1, n, empty) * scale;
+      in_.may_be_thousands();
       if (empty && empties++ == 0) empty_line = in_.at();
       if (value < 0) {
         if (negative++ == 0) negative_line = in_.at();
@@ -318,6 +328,7 @@ void EulumdatReader::read_intensities(const std::vector<double>& stored) {
       planes_.back().intensity_cd.push_back(value + 0);  // no -0
     }
   }
+  in_.check_commas();
   if (negative > 0) warn(negative_line, counted(negative, "intensity is", "intensities are") + " negative; taken as 0");
   if (empties > 0)
     warn(empty_line, counted(empties, "intensity is an empty line", "intensities are empty lines") + "; taken as 0");

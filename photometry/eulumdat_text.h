@@ -79,6 +79,16 @@ class EulumdatText {
     return lines;
   }
   size_t at() const { return in_.line(); }
+  // The number read last may well be thousands, as a flux or a size is, a ratio is not.
+  void may_be_thousands() {
+    if (last_is_ambiguous_ && thousands_line_ == 0) thousands_line_ = in_.line(), thousands_ = last_;
+  }
+  // When all has been read: such commas are decimal where another comma of the file is for certain (0,98).
+  void check_commas() const {
+    if (thousands_line_ > 0 && !has_decimal_commas_)
+      fail_at(thousands_line_, "\"" + thousands_ + "\" has a comma inside, which may be decimal or a thousands mark, as in "
+                               "all numbers that have one");
+  }
 
  private:
   [[noreturn]] void fail_number(std::string_view text, const std::string& name) const {
@@ -86,10 +96,14 @@ class EulumdatText {
   }
   // A comma before three digits is decimal where all others may be; beside decimal points nobody can tell.
   bool parse(std::string_view text, double& value) {
+    last_is_ambiguous_ = false;
     if (!parse_eulumdat_number(text, value)) return false;
     const std::string_view field = trimmed(text);
+    last_is_ambiguous_ = looks_like_thousands(field);
+    if (last_is_ambiguous_) last_ = field;
     has_points_ |= field.find('.') != field.npos && field.find(',') == field.npos;
-    if (ambiguous_line_ == 0 && looks_like_thousands(field)) ambiguous_line_ = in_.line(), ambiguous_ = field;
+    has_decimal_commas_ |= field.find(',') != field.npos && !last_is_ambiguous_;
+    if (ambiguous_line_ == 0 && last_is_ambiguous_) ambiguous_line_ = in_.line(), ambiguous_ = field;
     if (has_points_ && ambiguous_line_ > 0)
       fail_at(ambiguous_line_, "\"" + ambiguous_ + "\" has a comma inside, which may be decimal or a thousands mark: "
                                "other numbers have decimal points");
@@ -101,9 +115,9 @@ class EulumdatText {
            std::all_of(field.begin(), field.end(), [](char c) { return c == ',' || is_digit(c); });
   }
   TextReader in_;
-  bool has_points_ = false;
-  size_t ambiguous_line_ = 0;
-  std::string ambiguous_;
+  bool has_points_ = false, has_decimal_commas_ = false, last_is_ambiguous_ = false;
+  size_t ambiguous_line_ = 0, thousands_line_ = 0;
+  std::string ambiguous_, thousands_, last_;
 };
 
 }  // namespace photometry

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/atomic_file.h"
+#include "platform/paths.h"
 #include "tool/commands.h"
 #include "tool/profile_file.h"
 #include "tool/text_format.h"
@@ -39,6 +40,8 @@ std::vector<std::string> losses(const ProfileReport& in, const ProfileReport& ou
 
 int convert(const std::string& in, const std::string& out) {
   if (is_scene_file(in)) throw Failure(in + ": a scene; a photometric file can be converted");
+  if (const std::string read = platform::resolved(in); !read.empty() && read == platform::resolved(out))
+    throw Failure(out + ": is the file that is read; it would be lost. Another name for what is written would do");
   const Context context = make_context(1);
   const Profile profile = read_profile(context.get(), in);
   const WrittenProfile made = make_profile(out, profile.get());  // the command line admits .ies and .ldt alone

@@ -216,7 +216,7 @@ void add_picture(CLI::App& command, PictureOptions& options) {
 // A word that is reserved: known, but not yet for anything.
 void add_later(CLI::App& command, const std::string& word) {
   command.add_option(word)
-      ->check(CLI::Validator([](const std::string&) { return std::string("is not built yet"); }, ""))
+      ->check(CLI::Validator([word](const std::string&) { return word + " is not built yet"; }, ""))
       ->group("");
 }
 

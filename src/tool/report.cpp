@@ -35,7 +35,9 @@ std::string lux(double value, double low, double high) {
 // Ratings may be below 0: -1 is the only one that is not known.
 std::string rating(float value, float low, float high) {
   const std::string text = format("%.1f", double(value));
-  return low == -1 || high == -1 ? text : text + format(" (%.1f to %.1f)", double(low), double(high));
+  if (low == -1 || high == -1) return text;
+  return text + " (" + report::end_text(double(low), -1, report::one_decimal) + " to " +
+         report::end_text(double(high), 1, report::one_decimal) + ")";
 }
 
 std::string meters_text(const MeterReport& meters) {

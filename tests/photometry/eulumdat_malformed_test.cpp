@@ -28,6 +28,21 @@ std::string ldt_refusal(const std::string& text) {
   return "read without an error";
 }
 
+// 12,500 lm: read as 12.5 lm a lamp was a thousandth as bright, without a word.
+TEST(Eulumdat, ACommaThatMayMarkThousandsNeedsAnotherThatIsDecimal) {
+  const auto with = [](const std::string& flux, const std::string& conversion, const std::string& ratio) {
+    EulumdatParts parts;
+    parts.lamps = {"1\nLED\n" + flux + "\n3000\n80\n10"}, parts.conversion = conversion;
+    std::string text = parts.text();
+    for (size_t at; (at = text.find("0.5\n")) != text.npos;) text.replace(at, 3, ratio);
+    return ldt_refusal(text);
+  };
+  EXPECT_EQ(with("12,500", "1", "0"), "line 29: \"12,500\" has a comma inside, which may be decimal or a thousands mark, "
+                                      "as in all numbers that have one");
+  EXPECT_EQ(with("12,500", "1", "0,5"), "read without an error");
+  EXPECT_EQ(with("12500", "1,000", "0"), "read without an error");  // no factor is a thousand
+}
+
 class EulumdatRefused : public testing::TestWithParam<Case> {};
 
 // Lines: 3 Isym, 4 Mc, 6 Ng, 24 conversion, 26 sets, 27-32 lamps, 33-42 ratios, 43 C, 44-46 gamma, 47-49 intensities.
@@ -58,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"infinite", [](P& p) { p.conversion = "inf"; }, "line 24: \"inf\" is not a number"},
         Case{"no_sets", [](P& p) { p.sets = "0"; }, "line 26: the number of lamp sets is 0"},
         Case{"sets_beyond_the_end", [](P& p) { p.sets = "99"; }, "line 26: the number of lamp sets is 99, but"},
-        Case{"no_flux", [](P& p) { p.lamps = {"1\nLED\n0\n3000\n80\n10"}; }, "line 26: the flux of lamp set 1 is 0"},
+        Case{"no_flux", [](P& p) { p.lamps = {"1\nLED\n0\n3000\n80\n10"}; }, "line 29: the flux of lamp set 1 is 0"},
         Case{"flux_text", [](P& p) { p.lamps = {"1\nLED\nx\n3000\n80\n10"}; },
              "line 29: \"x\" is not a number; the lamps'"},
         Case{"shifted",

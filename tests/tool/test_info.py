@@ -588,6 +588,9 @@ class Convert(test_program.ProgramTest):
         os.remove(bright)
         self.assertIn(".ldt", self.run_program("convert", lamp, self.path("lamp.txt"), code=2).stderr)
         self.run_program("convert", lamp, code=2)
+        self.expect_failure("convert", lamp, self.path("lamp.ies"), words=["lamp.ies", "is the file that is read"])
+        with open(lamp, encoding="utf-8") as file:
+            self.assertEqual(file.read(), LAMBERTIAN)
         self.expect_failure("convert", self.path("gone.ies"), self.path("x.ldt"), words=["gone.ies"])
         self.expect_failure("convert", self.write("room.gltf", test_program.room()), self.path("x.ldt"),
                             words=["room.gltf"])

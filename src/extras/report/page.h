@@ -54,6 +54,7 @@ Section repeat_section(const PageInput& in);
 
 std::string lux(double value);                      // without its unit
 std::string ratio(double value);                    // 0.712
+std::string one_decimal(double value);              // 19.4
 // "518 to 528", rounded outwards; empty: not known. text: of a number as it is, not of its hundredfold.
 std::string interval(double low, double high, std::string (*text)(double));
 std::string end_text(double end, int side, std::string (*text)(double));  // one of its ends: side -1 low, 1 high

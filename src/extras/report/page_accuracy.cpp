@@ -165,7 +165,7 @@ std::string predictions_table(const Report& report) {
 std::string last_errors(const Report& report) {
   const ups_curve_point& p = report.convergence.back();
   const bool meters = !report.meters.empty();
-  return "<p>At the last look, after " + format("%.3g s", p.elapsed_s) + " and " + std::to_string(p.iterations) +
+  return "<p>At the last look, after " + significant(p.elapsed_s, 3) + " s" + " and " + std::to_string(p.iterations) +
          " iterations, the 95&nbsp;% error bound was " + percent(double(p.median_relative_error)) + " at the median " +
          (meters ? "meter" : "pixel") + ", " + percent(double(p.p95_relative_error)) + " at the 95th percentile and " +
          percent(double(p.worst_relative_error)) + " at the worst one.</p>\n";

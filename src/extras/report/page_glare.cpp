@@ -19,11 +19,12 @@ std::string rating(const ups_observer_reading& r) {
   if (r.flags & UPS_OBSERVER_NO_BACKGROUND) return "no background";
   std::string text = format("%.1f", double(r.ugr));
   if (r.ugr_low != -1 && r.ugr_high != -1)
-    text += format(" <span class=\"i\">%.1f to %.1f</span>", double(r.ugr_low), double(r.ugr_high));
+    text += " <span class=\"i\">" + end_text(double(r.ugr_low), -1, one_decimal) + " to " +
+            end_text(double(r.ugr_high), 1, one_decimal) + "</span>";
   if (r.ceiling_coverage > 0) {
     text += format(" <span class=\"i\">GGR %.1f", double(r.ggr));
     if (r.ggr_low != -1 && r.ggr_high != -1)
-      text += format(", %.1f to %.1f", double(r.ggr_low), double(r.ggr_high));
+      text += ", " + end_text(double(r.ggr_low), -1, one_decimal) + " to " + end_text(double(r.ggr_high), 1, one_decimal);
     text += "</span>";
   }
   return text;

@@ -109,7 +109,7 @@ double power_w(const LuminaireType& type, const ProfileReport& report) {
 // In all, and of the scene's extent seen from above, which is the room's where nothing stands outside it.
 std::string connected_load(const ups_scene_info& scene, double power_w) {
   const double area = (scene.bounds_max_m[0] - scene.bounds_min_m[0]) * (scene.bounds_max_m[1] - scene.bounds_min_m[1]);
-  std::string text = format("<p>Connected load: %.5g W", power_w);
+  std::string text = "<p>Connected load: " + significant(power_w, 5) + " W";
   if (area > 0 && std::isfinite(area))
     text += ", " + significant(power_w / area, 3) + " W/m\u00b2 of the scene's extent in plan, " + significant(area, 4) +
             " m\u00b2";

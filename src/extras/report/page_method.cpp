@@ -31,7 +31,8 @@ std::vector<std::string> named_lines(const PageInput& in, const std::string& tex
 
 // 482,600; beyond a million "4.26 million".
 std::string many(uint64_t count) {
-  if (count >= 1000000) return format("%.3g million", 1e-6 * double(count));
+  if (count >= 1000000000) return significant(1e-9 * double(count), 3) + " billion";
+  if (count >= 1000000) return significant(1e-6 * double(count), 3) + " million";
   return count < 1000 ? std::to_string(count) : format("%u,%03u", unsigned(count / 1000), unsigned(count % 1000));
 }
 

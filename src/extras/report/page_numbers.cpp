@@ -35,6 +35,8 @@ std::string lux(double value) {
 
 std::string ratio(double value) { return std::isfinite(value) ? fixed(value, 3) : "not known"; }
 
+std::string one_decimal(double value) { return fixed(value, 1); }
+
 std::string interval(double low, double high, std::string (*text)(double)) {
   if (low < 0 || high < 0) return {};
   const std::string from = end_text(low, -1, text), to = end_text(high, 1, text);

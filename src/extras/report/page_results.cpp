@@ -24,8 +24,6 @@ struct Quantity {
   std::string (*text)(double);
 };
 
-std::string one_decimal(double value) { return format("%.1f", value); }
-
 constexpr Quantity quantities[] = {{"mean_lx", "Mean illuminance", " lx", lux},
                                    {"min_lx", "Smallest illuminance", " lx", lux},
                                    {"uniformity", "Uniformity <i>U</i><sub>0</sub>", "", ratio},
@@ -274,7 +272,8 @@ std::string value_text(const TargetVerdict& v) {
 }
 
 std::string interval_text(const TargetVerdict& v) {
-  if (v.low < 0 || v.high < 0) return {};
+  const auto unknown = [&](double end) { return v.at_most ? end == -1 : end < 0; };  // ratings may be below 0
+  if (unknown(v.low) || unknown(v.high)) return {};
   const auto text = quantity_of(v.quantity).text;
   const std::string low = beside(v.low, v.required, end_text(v.low, -1, text)),
                     high = beside(v.high, v.required, end_text(v.high, 1, text));

@@ -25,8 +25,9 @@ std::string size_text(const ups_scene_info& info) {
 std::string exposure_text(const CameraReport::Picture& p) {
   std::string text;
   if (p.told)
-    text = format("Exposure %s: %.3g cd/m\u00b2 is shown as a middle grey (EV100 %.1f).",
-                  p.given ? "as asked for" : "chosen from the picture itself", 0.125 * std::exp2(p.ev100), p.ev100);
+    text = format("Exposure %s: %s cd/m\u00b2 is shown as a middle grey (EV100 %.1f).",
+                  p.given ? "as asked for" : "chosen from the picture itself",
+                  significant(0.125 * std::exp2(p.ev100), 3).c_str(), p.ev100);
   return text + (p.smoothed ? " Smoothed for display, for looking at alone." : "");
 }
 

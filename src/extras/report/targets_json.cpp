@@ -32,9 +32,14 @@ void allow_only(const Json& object, const std::string& where, const std::vector<
       fail(where, "'" + key + "' is no word of it; those are " + all);
 }
 
+// where: of the object; a file's ends with a blank.
+std::string place(const std::string& where, const char* key) {
+  return where.back() == ' ' ? where + key : where + "." + key;
+}
+
 std::string text(const Json& object, const char* key, const std::string& where) {
   if (!object.contains(key)) return {};
-  if (!object[key].is_string()) fail(where + "." + key, "must be a text, not " + object[key].dump());
+  if (!object[key].is_string()) fail(place(where, key), "must be a text, not " + object[key].dump());
   return object[key].get<std::string>();
 }
 
@@ -45,7 +50,7 @@ std::vector<std::string> texts(const Json& object, const char* key, const std::s
   const Json list = object[key].is_array() ? object[key] : Json::array({object[key]});
   for (const Json& item : list) {
     if (!item.is_string() || item.get<std::string>().empty())
-      fail(where + "." + key, "must be a name or a list of names, not " + object[key].dump());
+      fail(place(where, key), "must be a name or a list of names, not " + object[key].dump());
     all.push_back(item.get<std::string>());
   }
   return all;
