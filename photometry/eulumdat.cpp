@@ -190,18 +190,18 @@ void EulumdatReader::read_lamps() {
   if (in_.peek(6 * n).size() < 6 * n)
     fail_at(lamp_line_, "the number of lamp sets is " + std::to_string(n) + ", but the file ends within them");
   lamps_.resize(n);
-  flux_lines_.resize(n);
   const auto count = [&](LampSet& s) {
     const double value = in_.number("the number of lamps");
     if (!(std::abs(value) <= 1e9)) fail_at(in_.at(), "the number of lamps is " + shown(value) + "; more than 1e9");
     s.count = int(std::lround(value));
-    if (value != s.count) warn(in_.at(), "the number of lamps is " + shown(value) + "; taken as " + std::to_string(s.count));
+    if (value != s.count)
+      warn(in_.at(), "the number of lamps is " + shown(value) + "; taken as " + std::to_string(s.count));
   };
   const auto type = [&](LampSet& s) { s.type = in_.line("the lamps' type"); };
   const auto flux = [&](LampSet& s) {
     s.flux_lm = in_.number("the lamps' flux");
     in_.may_be_thousands();
-    flux_lines_[size_t(&s - lamps_.data())] = in_.at();
+    flux_lines_.push_back(in_.at());
   };
   const auto colour = [&](LampSet& s) { s.colour = in_.line("the lamps' colour"); };
   const auto rendering = [&](LampSet& s) { s.colour_rendering = in_.line("the lamps' colour rendering"); };
@@ -328,7 +328,6 @@ void EulumdatReader::read_intensities(const std::vector<double>& stored) {
       planes_.back().intensity_cd.push_back(value + 0);  // no -0
     }
   }
-  in_.check_commas();
   if (negative > 0) warn(negative_line, counted(negative, "intensity is", "intensities are") + " negative; taken as 0");
   if (empties > 0)
     warn(empty_line, counted(empties, "intensity is an empty line", "intensities are empty lines") + "; taken as 0");
@@ -388,6 +387,7 @@ Photometry EulumdatReader::read() {
   if (isym_ != 1) check_step(c_deg, plane_step_, plane_step_line_, "Dc of the C planes", "C angles");
   check_step(gamma_deg_, gamma_step_, gamma_step_line_, "Dg of the intensities", "angles gamma");
   read_intensities(stored);
+  in_.check_commas();
   if (planes_.size() > 1 && planes_.back().c_deg == 360) {
     warn(table_line_, "the C angles end with 360, which is C0 again");
     join_ends(planes_, table_line_, warnings_);

@@ -81,32 +81,35 @@ class EulumdatText {
   size_t at() const { return in_.line(); }
   // The number read last may well be thousands, as a flux or a size is, a ratio is not.
   void may_be_thousands() {
-    if (last_is_ambiguous_ && thousands_line_ == 0) thousands_line_ = in_.line(), thousands_ = last_;
+    if (!first_of_quantities_) first_of_quantities_ = last_;
   }
   // When all has been read: such commas are decimal where another comma of the file is for certain (0,98).
   void check_commas() const {
-    if (thousands_line_ > 0 && !has_decimal_commas_)
-      fail_at(thousands_line_, "\"" + thousands_ + "\" has a comma inside, which may be decimal or a thousands mark, as in "
-                               "all numbers that have one");
+    if (first_of_quantities_ && !has_decimal_commas_) fail_comma(first_of_quantities_, ", as in all numbers that have one");
   }
 
  private:
+  struct Comma {  // that may be either
+    size_t line = 0;
+    std::string field;
+    explicit operator bool() const { return line > 0; }
+  };
+  [[noreturn]] static void fail_comma(const Comma& comma, const char* why) {
+    fail_at(comma.line, "\"" + comma.field + "\" has a comma inside, which may be decimal or a thousands mark" + why);
+  }
   [[noreturn]] void fail_number(std::string_view text, const std::string& name) const {
     fail_at(in_.line(), "\"" + cut(text) + "\" is not a number; " + name + " is expected here");
   }
   // A comma before three digits is decimal where all others may be; beside decimal points nobody can tell.
   bool parse(std::string_view text, double& value) {
-    last_is_ambiguous_ = false;
+    last_ = {};
     if (!parse_eulumdat_number(text, value)) return false;
     const std::string_view field = trimmed(text);
-    last_is_ambiguous_ = looks_like_thousands(field);
-    if (last_is_ambiguous_) last_ = field;
+    if (looks_like_thousands(field)) last_ = {in_.line(), std::string(field)};
     has_points_ |= field.find('.') != field.npos && field.find(',') == field.npos;
-    has_decimal_commas_ |= field.find(',') != field.npos && !last_is_ambiguous_;
-    if (ambiguous_line_ == 0 && last_is_ambiguous_) ambiguous_line_ = in_.line(), ambiguous_ = field;
-    if (has_points_ && ambiguous_line_ > 0)
-      fail_at(ambiguous_line_, "\"" + ambiguous_ + "\" has a comma inside, which may be decimal or a thousands mark: "
-                               "other numbers have decimal points");
+    has_decimal_commas_ |= field.find(',') != field.npos && !last_;
+    if (!first_) first_ = last_;
+    if (has_points_ && first_) fail_comma(first_, ": other numbers have decimal points");
     return true;
   }
   static bool looks_like_thousands(std::string_view field) {
@@ -115,9 +118,8 @@ class EulumdatText {
            std::all_of(field.begin(), field.end(), [](char c) { return c == ',' || is_digit(c); });
   }
   TextReader in_;
-  bool has_points_ = false, has_decimal_commas_ = false, last_is_ambiguous_ = false;
-  size_t ambiguous_line_ = 0, thousands_line_ = 0;
-  std::string ambiguous_, thousands_, last_;
+  bool has_points_ = false, has_decimal_commas_ = false;
+  Comma last_, first_, first_of_quantities_;
 };
 
 }  // namespace photometry

@@ -47,8 +47,7 @@ Accumulator::ClassChoices Accumulator::choose_discs(size_t set, LightClass of, c
         told.steps = [&](const RingProfile& half, uint32_t ring) { return profiles.bias_to_choose_by(m, half, ring); };
       choices[m] = sums.choose(m * rows, rings, visits(m), told);
       if (!alone) continue;
-      const MeterRings::Photons p = sums.read(m * rows, rings, choices[m], visits(m));
-      own[m] = {spread(p.bias.data(), visits(m)), p.lx, p.bias_scale, p.widest_scale};
+      own[m] = own_bias(sums.read(m * rows, rings, choices[m], visits(m)), visits(m));
     }
     if (alone) neighbours = neighbour_curvatures(own);
   }
@@ -76,8 +75,7 @@ MeterLight Accumulator::light_of(size_t set, size_t m, const Choices& discs, siz
   if (caustics.caustics > 0) {
     light.sums.add(caustics);
     light.photons.add(caustics);
-    own[caustic_light] = {spread(caustics.bias.data(), light.visits), caustics.lx, caustics.bias_scale,
-                          caustics.widest_scale};
+    own[caustic_light] = own_bias(caustics, light.visits);
   }
   const CausticSearch search = point ? CausticSearch{area * light.visits, double(light.sums.caustics)}
                                      : search_about_cell(set, m, column);

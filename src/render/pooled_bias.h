@@ -19,6 +19,10 @@ struct OwnBias {
   }
 };
 
+inline OwnBias own_bias(const MeterRings::Photons& p, uint32_t visits) {
+  return {spread(p.bias.data(), visits), p.lx, p.bias_scale, p.widest_scale};
+}
+
 // By how light goes on from narrow discs to wide ones, and leans to one side, at a set's meters. An edge beside a meter
 // shows in that, and too little in the curvature of the disc that it lies in; but a narrow disc has so few photons that
 // one meter alone does not show it.

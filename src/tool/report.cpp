@@ -32,12 +32,9 @@ std::string lux(double value, double low, double high) {
   return format("%.6g lx", value) + interval_text({value, low, high}, "%.6g");
 }
 
-// Ratings may be below 0: -1 is the only one that is not known.
 std::string rating(float value, float low, float high) {
-  const std::string text = format("%.1f", double(value));
-  if (low == -1 || high == -1) return text;
-  return text + " (" + report::end_text(double(low), -1, report::one_decimal) + " to " +
-         report::end_text(double(high), 1, report::one_decimal) + ")";
+  const std::string text = format("%.1f", double(value)), range = report::rating_interval(double(low), double(high));
+  return range.empty() ? text : text + " (" + range + ")";
 }
 
 std::string meters_text(const MeterReport& meters) {

@@ -57,6 +57,9 @@ TEST(Intervals, AreRoundedOutwards) {
   EXPECT_EQ(interval(double(0.6f), double(0.7f), ratio), "0.600 to 0.700");
   EXPECT_EQ(interval(999.97, 1000.4, lux), "999.9 to 1001");
   EXPECT_EQ(interval(0, 0, lux), "0.000");
+  EXPECT_EQ(rating_interval(23.3998, 23.41), "23.3 to 23.5");
+  EXPECT_EQ(rating_interval(-3.04, -2.96), "-3.1 to -2.9");
+  EXPECT_EQ(rating_interval(-1, -0.4), "");  // not known
   EXPECT_EQ(with_interval(499.96, 499.94, 2000.2, lux), "500.0 <span class=\"i\">499.9 to 2001</span>");
 }
 

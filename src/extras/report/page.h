@@ -58,6 +58,8 @@ std::string one_decimal(double value);              // 19.4
 // "518 to 528", rounded outwards; empty: not known. text: of a number as it is, not of its hundredfold.
 std::string interval(double low, double high, std::string (*text)(double));
 std::string end_text(double end, int side, std::string (*text)(double));  // one of its ends: side -1 low, 1 high
+// "19.3 to 19.6" of a glare rating, rounded outwards; empty: not known, which is -1 alone, as ratings may be below 0.
+std::string rating_interval(double low, double high);
 std::string with_interval(double value, double low, double high, std::string (*text)(double));  // HTML
 // As many decimals as it takes to fall on the same side of `required` as the value does.
 std::string beside(double value, double required, std::string (*text)(double));

@@ -18,13 +18,12 @@ std::string rating(const ups_observer_reading& r) {
                                        : "none seen <span class=\"i\">at most unknown</span>";
   if (r.flags & UPS_OBSERVER_NO_BACKGROUND) return "no background";
   std::string text = format("%.1f", double(r.ugr));
-  if (r.ugr_low != -1 && r.ugr_high != -1)
-    text += " <span class=\"i\">" + end_text(double(r.ugr_low), -1, one_decimal) + " to " +
-            end_text(double(r.ugr_high), 1, one_decimal) + "</span>";
+  if (const std::string range = rating_interval(double(r.ugr_low), double(r.ugr_high)); !range.empty())
+    text += " <span class=\"i\">" + range + "</span>";
   if (r.ceiling_coverage > 0) {
     text += format(" <span class=\"i\">GGR %.1f", double(r.ggr));
-    if (r.ggr_low != -1 && r.ggr_high != -1)
-      text += ", " + end_text(double(r.ggr_low), -1, one_decimal) + " to " + end_text(double(r.ggr_high), 1, one_decimal);
+    if (const std::string range = rating_interval(double(r.ggr_low), double(r.ggr_high)); !range.empty())
+      text += ", " + range;
     text += "</span>";
   }
   return text;

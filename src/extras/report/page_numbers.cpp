@@ -43,6 +43,11 @@ std::string interval(double low, double high, std::string (*text)(double)) {
   return from == to ? from : from + " to " + to;
 }
 
+std::string rating_interval(double low, double high) {
+  if (low == -1 || high == -1) return {};
+  return end_text(low, -1, one_decimal) + " to " + end_text(high, 1, one_decimal);
+}
+
 std::string with_interval(double value, double low, double high, std::string (*text)(double)) {
   if (!std::isfinite(value) || value < 0) return {};
   const std::string range = interval(low, high, text);

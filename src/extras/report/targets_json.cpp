@@ -32,25 +32,21 @@ void allow_only(const Json& object, const std::string& where, const std::vector<
       fail(where, "'" + key + "' is no word of it; those are " + all);
 }
 
-// where: of the object; a file's ends with a blank.
-std::string place(const std::string& where, const char* key) {
-  return where.back() == ' ' ? where + key : where + "." + key;
-}
-
-std::string text(const Json& object, const char* key, const std::string& where) {
+// before: what stands before the key where a failure names it, "file: " or "file: areas[0].".
+std::string text(const Json& object, const char* key, const std::string& before) {
   if (!object.contains(key)) return {};
-  if (!object[key].is_string()) fail(place(where, key), "must be a text, not " + object[key].dump());
+  if (!object[key].is_string()) fail(before + key, "must be a text, not " + object[key].dump());
   return object[key].get<std::string>();
 }
 
 // A text or a list of them.
-std::vector<std::string> texts(const Json& object, const char* key, const std::string& where) {
+std::vector<std::string> texts(const Json& object, const char* key, const std::string& before) {
   std::vector<std::string> all;
   if (!object.contains(key)) return all;
   const Json list = object[key].is_array() ? object[key] : Json::array({object[key]});
   for (const Json& item : list) {
     if (!item.is_string() || item.get<std::string>().empty())
-      fail(place(where, key), "must be a name or a list of names, not " + object[key].dump());
+      fail(before + key, "must be a name or a list of names, not " + object[key].dump());
     all.push_back(item.get<std::string>());
   }
   return all;
@@ -121,7 +117,7 @@ void read_rows(const Json& root, const std::string& file, Rows& rows) {
       read_light(words[part], where + "." + part, tried);
     }
     read_room(words, where, tried);
-    rows[key] = {text(words, "name", where), text(words, "reference", where), words, where};
+    rows[key] = {text(words, "name", where + "."), text(words, "reference", where + "."), words, where};
   }
 }
 
@@ -137,8 +133,8 @@ std::string find_included(const std::string& file, const std::string& name, cons
 }
 
 void take_row(const Json& words, const std::string& where, const Rows& rows, TargetArea& area) {
-  const std::string key = text(words, "row", where),
-                    part = words.contains("part") ? text(words, "part", where) : "task";
+  const std::string key = text(words, "row", where + "."),
+                    part = words.contains("part") ? text(words, "part", where + ".") : "task";
   if (std::find(std::begin(parts), std::end(parts), part) == std::end(parts))
     fail(where + ".part", "must be one of " + std::string(part_words) + ", not '" + part + "'");
   if (key.empty()) {
@@ -168,8 +164,8 @@ TargetArea read_area(const Json& words, const std::string& where, const Rows& ro
   allow_only(words, where, {"name", "row", "part", "meters", "observers", "mean_lx", "min_lx", "uniformity", "ugr",
                             "colour_rendering"});
   TargetArea area;
-  area.meters = texts(words, "meters", where);
-  area.observers = texts(words, "observers", where);
+  area.meters = texts(words, "meters", where + ".");
+  area.observers = texts(words, "observers", where + ".");
   if (area.meters.empty() && area.observers.empty())
     fail(where, "names neither \"meters\" nor \"observers\", so there is nothing to judge");
   take_row(words, where, rows, area);
@@ -178,7 +174,7 @@ TargetArea read_area(const Json& words, const std::string& where, const Rows& ro
   if (!area.meters.empty() && area.mean_lx < 0 && area.min_lx < 0 && area.uniformity < 0)
     fail(where, "names meters, but neither a row nor mean_lx, min_lx or uniformity");
   if (!area.observers.empty() && area.ugr < 0) fail(where, "names observers, but neither a row with ugr nor ugr");
-  area.name = text(words, "name", where);
+  area.name = text(words, "name", where + ".");
   if (area.name.empty()) area.name = area.meters.empty() ? area.observers[0] : area.meters[0];
   return area;
 }
