@@ -26,7 +26,6 @@ class FileBytes {
   }
   // Throws ParseError where the file ends before the field.
   uint32_t u32(size_t at, const char* field) const { return uint32_t(number(at, 4, field)); }
-  int32_t i32(size_t at, const char* field) const { return int32_t(u32(at, field)); }
   uint64_t u64(size_t at, const char* field) const { return number(at, 8, field); }
   float f32(size_t at, const char* field) const {
     uint32_t bits = u32(at, field);

@@ -79,7 +79,8 @@ UPS_API ups_status ups_profile_get_utilisation(const ups_profile *profile, ups_u
 typedef int32_t ups_glare_metric;
 enum { UPS_GLARE_METRIC_UGR = 0 };
 /* An eye. It is rendered with all other sensors, as a planar meter that faces the line of sight: its readings can be
- * read as those of a meter set of one, and count among the meters' errors; beside cameras alone only pixels do. */
+ * read as those of a meter set of one. They count among the errors that targets and predictions are of only where there
+ * are neither meters nor cameras. */
 typedef struct ups_observer_desc {
   uint32_t struct_size;
   ups_glare_metric metric;

@@ -66,8 +66,9 @@ typedef struct ups_render_desc {
   uint64_t seed;                      /* same seed and iterations, same bits, whatever the thread count */
   double time_limit_s;                /* 0: none. From the start of the call; overrun by at most 0.1 s or 5 %,
                                        * whichever is more, but where millions of light paths an iteration were asked
-                                       * for, whose memory is given back first. An iteration that it cuts off leaves no
-                                       * trace */
+                                       * for, whose memory is given back first, or the limit is too short for one
+                                       * iteration and reading what it found, as of millions of pixels with images of
+                                       * each technique. An iteration that it cuts off leaves no trace */
   float target_relative_error;        /* stop when the relative error that target_criterion says is below: by default
                                        * the worst meter's error_bound / max(E, 5 % of its set's mean), without meters
                                        * the mean pixel's, of those that light has reached; without cameras too a
@@ -96,9 +97,10 @@ typedef struct ups_render_desc {
   uint64_t flux_paths;                /* light paths, rounded up to a power of two, at most 2^24, that find the absorbed
                                        * and escaped flux where the method traces none, or for caustics alone; where it
                                        * traces all light these cost nothing and this is not read. A part after each
-                                       * iteration, the rest at the end, within elapsed_s and the time limit. 0: none;
-                                       * that flux is not known then, and what shading normals lose that lean is told
-                                       * as of light that is even everywhere */
+                                       * iteration, the rest at the end, within elapsed_s and a fifth of the time limit,
+                                       * or what the iterations leave of it: fewer where that is too short. 0: none; that
+                                       * flux is not known then, and what shading normals lose that lean is told as of
+                                       * light that is even everywhere */
   ups_criterion target_criterion;     /* of target_relative_error and of predictions */
   uint32_t reserved2;                 /* 0 */
   uint64_t memory_limit_bytes;        /* that the committed scene and the render may take together, as
@@ -213,9 +215,9 @@ typedef struct ups_meter_statistics {
   double median_relative_error_bound, p95_relative_error_bound, worst_relative_error_bound;
   double mean_bias_lx;           /* of the mean, estimated */
   double mean_error_bound_lx;    /* of the mean: 95 %, its noise and bias, and light that was not found */
-  /* 95 % intervals of the true values, noise and bias; -1: not known (fewer than 6 iterations; uniformity and diversity
-   * also where the mean's bound is more than half of it). The least of noisy readings is biased low, the largest high:
-   * an interval need not lie evenly about its value. */
+  /* 95 % intervals of the true values, noise and bias; -1: not known (before 6 visits of all meters; uniformity and
+   * diversity also where the mean's bound is more than half of it). The least of noisy readings is biased low, the
+   * largest high: an interval need not lie evenly about its value. */
   double min_low_lx, min_high_lx, max_low_lx, max_high_lx, uniformity_low, uniformity_high;
   double percentile_5_lx;        /* 5 % of the meters are below; of those on a surface 5 % of their area */
   double percentile_5_low_lx, percentile_5_high_lx;

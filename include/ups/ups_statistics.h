@@ -4,8 +4,8 @@
 
 #include "ups_render.h"
 
-/* A value and where the true one lies with 95 %, noise and bias together; -1 where not known: low and high in fewer
- * than 6 iterations. A plain array element: it never grows. An interval need not lie evenly about its value: the least
+/* A value and where the true one lies with 95 %, noise and bias together; -1 where not known: low and high before
+ * 6 visits of all meters. A plain array element: it never grows. An interval need not lie evenly about its value: the least
  * of noisy readings is biased low, the largest high. */
 typedef struct ups_interval {
   double value, low, high;

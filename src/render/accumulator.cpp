@@ -115,34 +115,29 @@ MeterSetReading Accumulator::read_meters_and_sources(size_t set) const {
   MeterSetReading r = read_meters(set, discs);
   r.separated.resize(plan_.separation.columns.size());
   for (size_t c = 0; c < r.separated.size(); ++c) {
-    r.separated[c].reserve(meters_[set].size());
-    for (const MeterLight& light : measured(set, lights_of(set, discs, c + 1)))
-      r.separated[c].push_back(light.reading());
+    r.separated[c].reserve(scene_.meter_sets[set].count());
+    const SetLight light = light_of_set(set, discs, c + 1);
+    for (size_t m = 0; m < light.meters.size(); ++m) r.separated[c].push_back(reading_of(light, m));
   }
   return r;
 }
 
 MeterSetReading Accumulator::read_meters(size_t set, const Choices& discs) const {
   MeterSetReading r;
-  const bool vectors = scene_.meter_sets[set].kind == UPS_METER_VECTOR;
-  std::vector<MeterLight> lights = lights_of(set, discs);
-  const std::vector<MeterLight> sides = vectors ? lights : std::vector<MeterLight>();
-  lights = measured(set, std::move(lights));
-  r.meters.reserve(lights.size()), r.flags.reserve(lights.size());
+  const SetLight light = light_of_set(set, discs);
+  const std::vector<MeterLight>& lights = light.meters;
+  r.meters.reserve(lights.size()), r.flags.reserve(lights.size()), r.largest.reserve(lights.size());
   for (auto& part : r.parts) part.reserve(lights.size());
-  for (const MeterLight& light : lights) {
-    r.meters.push_back(light.reading());
-    r.flags.push_back(light.flags(r.meters.back()));
-    r.largest.push_back(light.largest_sample());
+  for (auto& part : r.vectors) part.reserve(light.sides.empty() ? 0 : lights.size());
+  for (size_t m = 0; m < lights.size(); ++m) {
+    r.meters.push_back(reading_of(light, m));
+    r.flags.push_back(lights[m].flags(r.meters.back()));
+    r.largest.push_back(lights[m].largest_sample());
     for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
-      r.parts[size_t(part)].push_back(light.part(part));
-  }
-  for (size_t m = 0; vectors && m < lights.size(); ++m) {
-    const VectorLight v = vector_of(sides, m);
-    r.meters[m] = v.reading();
-    for (const ups_light_part part : {UPS_LIGHT_PART_DIRECT, UPS_LIGHT_PART_INDIRECT})
-      r.parts[size_t(part)][m] = v.part(part);
-    const auto components = v.components();
+      r.parts[size_t(part)].push_back(light.sides.empty() ? lights[m].part(part)
+                                                          : vector_of(light.sides, m).part(part));
+    if (light.sides.empty()) continue;
+    const auto components = vector_of(light.sides, m).components();
     for (size_t part = 0; part < components.size(); ++part) r.vectors[part].push_back(components[part]);
   }
   add_statistics(set, lights, r);
@@ -238,10 +233,10 @@ ErrorSummary Accumulator::summarize(const StopSignal* stop) const {
   std::vector<double> errors;
   std::vector<MeterError> parts;
   std::optional<ErrorSummary::Place> worst;
-  double bias = 0, bound = 0;
+  double bias = 0, bound = 0, worst_error = 0;
   for (size_t s = 0; s < meters_.size(); ++s) {
     if (!is_looked_at(scene_, s)) continue;
-    const std::vector<MeterLight> lights = measured(s, lights_of(s, choose_discs(s, stop), 0, stop));
+    const std::vector<MeterLight> lights = light_of_set(s, choose_discs(s, stop), 0, stop).meters;
     std::vector<ups_meter_reading> readings;
     for (const MeterLight& light : lights) readings.push_back(light.reading());
     double mean = 0, weights = 0;  // as the statistics have it: on surfaces by area
@@ -257,7 +252,7 @@ ErrorSummary Accumulator::summarize(const StopSignal* stop) const {
       parts.push_back(emits_ ? apart.scaled(1 / std::max(double(m.illuminance_lx), floor)) : MeterError{});
       parts.back().halves = float(log_ratio_of_halves(lights[i].sums.value, lights[i].visits));
       errors.push_back(emits_ ? m.error_bound_lx / std::max(double(m.illuminance_lx), floor) : 0);
-      if (!worst || parts.back().error() > worst->error.error()) worst = {s, i, parts.back()};
+      if (!worst || errors.back() > worst_error) worst = {s, i, parts.back()}, worst_error = errors.back();
       bias += std::abs(m.bias_lx);
       bound += m.error_bound_lx;
     }

@@ -49,7 +49,7 @@ class Accumulator {
   // and what reading its set takes besides.
   static constexpr double sum_bytes = sizeof(MeterSums), reading_bytes = sizeof(ups_meter_reading),
                           part_bytes = 2 * sizeof(ups_meter_part_reading) + sizeof(uint32_t) +
-                                               MeterBatches::bytes_per_meter;
+                                               sizeof(Sample) + MeterBatches::bytes_per_meter;
   static double scratch_bytes(bool has_discs);
   void add(const IterationTally& tally);  // the next iteration
   uint32_t iterations() const { return iterations_; }
@@ -102,8 +102,12 @@ class Accumulator {
                       std::array<OwnBias, class_count>& own) const;
   std::vector<MeterLight> lights_of(size_t set, const Choices& discs, size_t column = 0,
                                     const StopSignal* stop = nullptr) const;
-  // Of a set's meters as the caller counts them: of vectors, from those of their sides, their lengths.
-  std::vector<MeterLight> measured(size_t set, std::vector<MeterLight> lights) const;
+  // Of a set's meters as the caller counts them; of vectors their lengths, and beside them their sides.
+  struct SetLight {
+    std::vector<MeterLight> meters, sides;
+  };
+  SetLight light_of_set(size_t set, const Choices& discs, size_t column = 0, const StopSignal* stop = nullptr) const;
+  ups_meter_reading reading_of(const SetLight& light, size_t meter) const;
   VectorLight vector_of(const std::vector<MeterLight>& sides, size_t meter) const;
   // Of a meter whose eye paths alone bring it. Visits stand for area, their number in one for light paths.
   double unfound_by_hits(size_t set, size_t meter, size_t column, double hits, double visits) const;

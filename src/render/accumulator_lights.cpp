@@ -130,13 +130,20 @@ VectorLight Accumulator::vector_of(const std::vector<MeterLight>& sides, size_t 
   return VectorLight(of_meter, plan_.meter_samples);
 }
 
-std::vector<MeterLight> Accumulator::measured(size_t set, std::vector<MeterLight> lights) const {
+Accumulator::SetLight Accumulator::light_of_set(size_t set, const Choices& discs, size_t column,
+                                                const StopSignal* stop) const {
   const MeterSet& meters = scene_.meter_sets[set];
-  if (meters.kind != UPS_METER_VECTOR) return lights;
-  std::vector<MeterLight> lengths;
-  lengths.reserve(meters.count());
-  for (size_t m = 0; m < meters.count(); ++m) lengths.push_back(vector_of(lights, m).length(whole_light));
-  return lengths;
+  SetLight light{lights_of(set, discs, column, stop), {}};
+  if (meters.kind != UPS_METER_VECTOR) return light;
+  light.sides.swap(light.meters);
+  light.meters.reserve(meters.count());
+  for (size_t m = 0; m < meters.count(); ++m)
+    light.meters.push_back(vector_of(light.sides, m).length(whole_light));
+  return light;
+}
+
+ups_meter_reading Accumulator::reading_of(const SetLight& light, size_t m) const {
+  return light.sides.empty() ? light.meters[m].reading() : vector_of(light.sides, m).reading(light.meters[m]);
 }
 
 }  // namespace ups

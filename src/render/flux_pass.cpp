@@ -1,7 +1,6 @@
 // See flux_pass.h.
 #include "render/flux_pass.h"
 
-#include <algorithm>
 #include <bit>
 
 #include "transport/light_pass.h"
@@ -10,26 +9,29 @@ namespace ups {
 
 namespace {
 
-constexpr uint32_t most_parts = 32, least_paths_of_part = 1024;  // of more than the batches
+// Of many paths there are more parts: one may take a long time.
+constexpr uint32_t few_parts = 32, least_paths_of_part = 1024, most_paths_of_part = 4096;
 
 }  // namespace
 
-FluxPass::FluxPass(const Snapshot& scene, ThreadPool& pool, uint64_t seed, uint32_t paths)
-    : scene_(scene), pool_(pool), seed_(seed) {
+FluxPass::FluxPass(const Snapshot& scene, ThreadPool& pool, uint64_t seed, uint32_t paths, double limit_s)
+    : scene_(scene), pool_(pool), limit_s_(limit_s) {
+  settings_.seed = seed;
   if (paths == 0) return;
   const uint32_t all = std::bit_ceil(paths);
-  parts_ = std::clamp(all / least_paths_of_part, std::min(all, batch_count), most_parts);
-  paths_of_part_ = all / parts_;
+  paths_of_part_ = std::clamp(all / few_parts, least_paths_of_part, most_paths_of_part);
+  paths_of_part_ = std::min(paths_of_part_, std::max(1u, all / batch_count));
+  parts_ = all / paths_of_part_;
 }
 
 void FluxPass::trace_part(const StopSignal& stop, WorkCounts& counts) {
   const auto start = StopSignal::Clock::now();
-  TransportSettings s{.method = {}};
-  s.seed = seed_;
-  Plan plan = make_plan(scene_, s);
-  plan.light_paths = paths_of_part_;
+  if (!plan_) {
+    plan_ = make_plan(scene_, settings_);
+    plan_->light_paths = paths_of_part_;
+  }
   IterationTally tally;
-  Iteration in = Iteration::of_pilot(scene_, plan, s, done_, stop, Stream::flux);
+  Iteration in = Iteration::of_pilot(scene_, *plan_, settings_, done_, stop, Stream::flux);
   in.light_visit = {done_ % batch_count, done_ / batch_count};  // batches may have rays of their own of a file
   LightPass().trace(in, SensorIndex(in), pool_, tally);
   if (stop.is_set()) return;

@@ -19,8 +19,6 @@ namespace {
 
 // How far a render may run over its time limit.
 double tolerance_s(double limit_s) { return std::max(0.1, 0.05 * limit_s); }
-// Of it, what reading the images may take, which comes after the render's end: 0.09 s for 1920 x 1080 on one thread.
-constexpr double reading_s_of_pixel = 4.5e-8, reading_s_of_disc = 3e-5;
 
 void check_desc(const ups_render_desc& d) {
   const auto check_finite = [](const std::string& name, double value, const char* noun) {
@@ -78,8 +76,6 @@ RenderJob::RenderJob(std::shared_ptr<const Snapshot> scene, const ups_render_des
     fail_argument(
         "target_relative_error: it would never be met: the goniometer measures nothing without light paths, which "
         "methods lt and ups trace; set method, time_limit_s or iteration_count");
-  for (const Camera& c : scene_->cameras) reading_s_ += c.pixel_count() * reading_s_of_pixel;
-  reading_s_ = std::min(reading_s_, 0.5 * desc_.time_limit_s);
   if (scene_->cameras.empty() && scene_->meter_sets.empty() && scene_->goniometers.empty())
     throw Error(UPS_ERROR_INVALID_STATE,
                 "the scene has no sensor: add a camera, meters or a goniometer before ups_scene_commit");
@@ -199,11 +195,9 @@ void RenderJob::prepare() {
     sums_ = std::move(sums);
     tell_selection(*integrator_, method_);
   });
-  // Discs are chosen anew by each reading, and by each look at the error.
-  for (size_t s = 0; s < scene_->meter_sets.size(); ++s)
-    if (integrator_->plan().lands_on(s)) look_s_ += double(scene_->meter_sets[s].count()) * reading_s_of_disc;
-  reading_s_ = std::min(reading_s_ + look_s_, 0.5 * desc_.time_limit_s);
   const Plan& plan = integrator_->plan();
+  expected_ = reading_time(*scene_, plan, desc_.technique_images);
+  tell_reading_time(expected_.look_s);
   const bool of_pixels = by_pixels(*scene_);
   const std::lock_guard lock(mutex_);
   estimate_.emplace(ProgressEstimate::Limits{desc_.time_limit_s, double(desc_.iteration_count),
@@ -219,20 +213,35 @@ void RenderJob::iterate() {
   prepare();
   if (!sums_) return;
   const bool has_light_paths = books_flux_ || !(scene_->emitters.flux_lm() > 0);
-  FluxPass flux(*scene_, *pool_, desc_.seed, has_light_paths ? 0 : uint32_t(desc_.flux_paths));
+  FluxPass flux(*scene_, *pool_, desc_.seed, has_light_paths ? 0 : uint32_t(desc_.flux_paths), desc_.time_limit_s);
   TallyQueue::Delivery next;
   for (uint32_t i = 0; i < 0xfffffff0u; ++i) {
     if (!integrator_->run(i, stop_, next.tally)) break;
-    if (!flux.is_done()) flux.trace_part(stop_, next.flux);
+    if (flux.is_due(elapsed())) flux.trace_part(stop_, next.flux);
     deliver(next);
-    if (is_at_end(flux.seconds_left())) break;
-    set_deadline(0.5, flux.seconds_left() + reading_s_);
+    tell_flux(flux);
+    if (is_at_end(flux.reserved_s())) break;
+    set_deadline(0.5, flux.reserved_s() + reading_s_);
   }
   next = {};
   next.has_iteration = false, next.is_last = true;
-  if (!flux.is_done()) set_deadline(0.8, reading_s_);
-  while (!flux.is_done() && !stop_.is_set()) flux.trace_part(stop_, next.flux);
+  trace_flux(flux, next.flux);
   deliver(next);
+}
+
+// After the iterations, as much as the time limit leaves.
+void RenderJob::trace_flux(FluxPass& flux, WorkCounts& counts) {
+  set_deadline(0.5, reading_s_);
+  while (!flux.is_done() && !stop_.is_set()) {
+    if (desc_.time_limit_s > 0 && elapsed() + flux.seconds_of_part() + reading_s_ > desc_.time_limit_s) return;
+    flux.trace_part(stop_, counts);
+    tell_flux(flux);
+  }
+}
+
+void RenderJob::tell_flux(const FluxPass& flux) {
+  const std::lock_guard lock(mutex_);
+  estimate_->set_rest(flux.seconds_left(), elapsed());
 }
 
 // An iteration counts once a result has it: who polls one and takes a result at once gets that one.
@@ -258,13 +267,20 @@ void RenderJob::add(const TallyQueue::Delivery& delivery) {
   if (delivery.is_last ? is_last_look_wanted() : is_look_due()) try_to_look();
 }
 
+// What a look has taken tells what the result will; no less than expected, as its memory may have to be found first.
+void RenderJob::tell_reading_time(double look_s) {
+  look_s_ = look_s;
+  const double slower = expected_.look_s > 0 ? std::clamp(look_s / expected_.look_s, 1.0, 4.0) : 1;
+  reading_s_ = std::min(slower * expected_.result_s, 0.5 * desc_.time_limit_s);
+}
+
 // A look at many meters may take seconds, in which no deadline is asked.
 bool RenderJob::is_look_due() const {
   {
     const std::lock_guard lock(mutex_);
     if (sums_->iterations() < estimate_->next_look()) return false;
   }
-  return !(desc_.time_limit_s > 0) || elapsed() + look_s_ + (has_looked_ ? reading_s_ : 0) <= desc_.time_limit_s;
+  return !(desc_.time_limit_s > 0) || elapsed() + look_s_ + (has_looked_ ? reading_s_.load() : 0) <= desc_.time_limit_s;
 }
 
 // At the end, when it can stop nothing any more: so that what is told of the error is not that of long ago.
@@ -292,7 +308,7 @@ void RenderJob::look_at_error() {
   const uint32_t n = sums_->iterations();
   const auto begin = Clock::now();
   ErrorSummary e = sums_->summarize(&stop_);
-  look_s_ = std::chrono::duration<double>(Clock::now() - begin).count();
+  tell_reading_time(std::chrono::duration<double>(Clock::now() - begin).count());
   has_looked_ = true;
   const ups_criterion criterion = resolve_criterion(desc_.target_criterion, *scene_);
   const double error = error_by(criterion, e);

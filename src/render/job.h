@@ -17,6 +17,7 @@
 #include "render/memory_estimate.h"
 #include "render/method.h"
 #include "render/progress.h"
+#include "render/reading_time.h"
 #include "render/replay.h"
 #include "render/tally_queue.h"
 #include "transport/glare.h"
@@ -74,6 +75,9 @@ class RenderJob {
   void take_memory();
   void prepare();
   void set_deadline(double share_of_tolerance, double reserved_s);
+  void trace_flux(FluxPass& flux, WorkCounts& counts);
+  void tell_flux(const FluxPass& flux);
+  void tell_reading_time(double look_s);
   void deliver(TallyQueue::Delivery& delivery);
   bool is_at_end(double reserved_s) const;
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -99,8 +103,10 @@ class RenderJob {
   std::unique_ptr<Integrator> integrator_;
   std::shared_ptr<const std::vector<SeenGlare>> glare_;  // made before the sums are
   StopSignal stop_;
-  double reading_s_ = 0;  // of the time limit, kept for reading what was found
-  double look_s_ = 0;     // what the next look at the error will take, about: a guess until there was one
+  ReadingTime expected_;
+  // What the next look at the error will take, about: a guess until there was one. Of the time limit, kept for reading
+  // what was found. Looks of any thread write them.
+  std::atomic<double> look_s_ = 0, reading_s_ = 0;
   bool has_looked_ = false;
   const Clock::time_point start_ = Clock::now();
   std::thread thread_;

@@ -47,9 +47,10 @@ void add_meters(const Snapshot& scene, const Plan& plan, const std::vector<uint3
     m.meters += meters * (1 + columns) *
                 (Accumulator::sum_bytes + MeterRings::bytes_per_row(rings[s], direct) +
                  (plan.seeks_caustics ? MeterRings::bytes_per_row(rings[s], false) : 0));
-    m.reading += meters * ((1 + columns) * Accumulator::reading_bytes + Accumulator::part_bytes);
-    m.scratch = std::max(m.scratch, meters * Accumulator::scratch_bytes(rings[s] > 0));
     const MeterSet& set = scene.meter_sets[s];
+    m.reading += double(set.count()) * ((1 + columns) * Accumulator::reading_bytes + Accumulator::part_bytes +
+                                        (set.kind == UPS_METER_VECTOR) * 3 * sizeof(ups_vector_part_reading));
+    m.scratch = std::max(m.scratch, meters * Accumulator::scratch_bytes(rings[s] > 0));
     const double pieces = set.on_surface() ? double(set.triangles.size()) / meters : 1;  // of a meter, in the index
     m.iteration += visited * (1 + columns) * sizeof(MeterTally);
     if (rings[s] > 0 || (set.is_cell() && plan.light_paths > 0)) indexed += visited * pieces;

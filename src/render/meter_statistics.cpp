@@ -11,24 +11,6 @@
 
 namespace ups {
 
-void MeterBatches::add(const Meter& meter, const double* batch, const double* bias_batch) {
-  meters_.push_back(meter);
-  widened_.push_back(0);
-  stated_ = -1;
-  if (meter.halves_differ) means_ = 2;
-  weights_ += meter.weight;
-  for (uint32_t b = 0; b < used_; ++b) {
-    batches_.push_back(float(batch[b]));
-    bias_sums_[b] += meter.weight * bias_batch[b];
-  }
-}
-
-void MeterBatches::widen(double bound) {
-  stated_ = bound;
-  if (meters_.back().known && used_ >= min_batches)
-    widened_.back() = float(std::max(0.0, bound - this->bound(meters_.size() - 1)));
-}
-
 namespace {
 
 std::vector<uint32_t> order_by(const std::vector<double>& values) {
@@ -77,98 +59,6 @@ CrossReading cross_reading(const MeterBatches& meters, const std::span<const uin
 }
 
 }  // namespace
-
-double MeterBatches::standard_error(size_t m) const {
-  return error_of_mean(used_, means_, [&](uint32_t b) { return double(batch(m, b)); });
-}
-
-double MeterBatches::bound(size_t m) const {
-  return offset(m) + (meters_[m].known ? t_quantile(used_, means_) * std::hypot(standard_error(m), bias_error(m)) : 0);
-}
-
-double MeterBatches::mean() const {
-  double sum = 0;
-  for (const Meter& m : meters_) sum += m.weight * m.value;
-  return sum / weights_;
-}
-
-double MeterBatches::unfound() const {
-  double sum = 0;
-  for (const Meter& m : meters_) sum += m.weight * (m.unfound_in_mean < 0 ? m.unfound : m.unfound_in_mean);
-  return sum / weights_;
-}
-
-NarrowLight MeterBatches::caustic() const {
-  NarrowLight sum;
-  double square = 0;
-  for (const Meter& m : meters_) {
-    sum.shift += m.weight * m.caustic.shift, sum.chance += m.weight * m.caustic.chance;
-    square += std::pow(m.weight * m.caustic.chance, 2);
-  }
-  return {sum.shift / weights_, std::min(sum.chance, std::sqrt(meet_ * square)) / weights_};
-}
-
-double MeterBatches::choice_variance() const {
-  double sum = 0;
-  for (const Meter& m : meters_) sum += m.weight * m.weight * m.choice_variance;
-  return sum / (weights_ * weights_);
-}
-
-double MeterBatches::told_bias() const {
-  double sum = 0;
-  for (const Meter& m : meters_) sum += m.weight * m.bias.mean;
-  return sum / weights_;
-}
-
-double MeterBatches::mean_of_batch(uint32_t b) const {
-  double sum = 0;
-  for (size_t m = 0; m < count(); ++m) sum += meters_[m].weight * double(batch(m, b));
-  return sum / weights_;
-}
-
-// First order: (x_b - r mean_b) / mean about r = x / mean.
-MeterBatches MeterBatches::over_mean() const {
-  MeterBatches out(used_);
-  const double mean = this->mean(), unfound = this->unfound() + caustic().size();
-  double of_set[batch_count], own[batch_count];
-  const double no_bias[batch_count] = {};
-  for (uint32_t b = 0; b < used_; ++b) of_set[b] = mean_of_batch(b);
-  const double bias = told_bias();
-  for (size_t m = 0; m < count(); ++m) {
-    const double ratio = value(m) / mean;
-    for (uint32_t b = 0; b < used_; ++b) own[b] = ratio + (double(batch(m, b)) - ratio * of_set[b]) / mean;
-    const Spread own_bias{(meters_[m].bias.mean - ratio * bias) / mean, bias_error(m) / mean};
-    out.add({ratio, own_bias, (meters_[m].unfound + ratio * unfound) / mean, meters_[m].weight, meters_[m].known,
-             meters_[m].halves_differ},
-            own, no_bias);
-    out.widened_.back() = widened_[m] / float(mean);
-  }
-  return out;
-}
-
-MeterBatches MeterBatches::negative() const {
-  MeterBatches out = *this;
-  for (Meter& m : out.meters_) m.value = -m.value, m.caustic.shift = -m.caustic.shift;
-  for (float& v : out.batches_) v = -v;
-  return out;
-}
-
-MeterBatches MeterBatches::moved(double sign) const {
-  MeterBatches out = *this;
-  for (size_t m = 0; m < count(); ++m) {
-    Meter& meter = out.meters_[m];
-    const double by = sign * offset(m);
-    meter.value += by;
-    for (uint32_t b = 0; b < used_; ++b) {
-      float& own = out.batches_[m * used_ + b];
-      own = meter.known ? float(double(own) + by) : float(meter.value);
-    }
-    meter.bias = {0, meter.known ? meter.bias.standard_error : 0};
-    meter.unfound = 0, meter.caustic = {}, meter.unfound_in_mean = -1, meter.known = true;
-    out.widened_[m] = 0;
-  }
-  return out;
-}
 
 Interval minimum_interval(const MeterBatches& meters) {
   if (meters.count() == 0 || meters.used() < min_batches_of_interval) return {};
@@ -305,7 +195,18 @@ Interval between_moved(const MeterBatches& meters, const Of& of) {
 
 }  // namespace
 
+namespace {
+
+bool is_one(const MeterBatches& meters) { return meters.count() == 1 && meters.stated_bound() >= 0; }
+
+Interval interval_of_one(const MeterBatches& meter) {
+  return {std::max(0.0, meter.value(0) - meter.stated_bound()), meter.value(0) + meter.stated_bound()};
+}
+
+}  // namespace
+
 Known percentile(const MeterBatches& meters, double share) {
+  if (is_one(meters) && meters.used() >= min_batches_of_interval) return {meters.value(0), interval_of_one(meters)};
   const MeterOrder order(meters);
   return {meters.value(order.meters[order.rank_at(share)]),
           between_moved<AllRanks>(meters, [&](const AllRanks& r, auto end) { return r.interval_at(share).*end; })};
@@ -326,6 +227,15 @@ Known share_above(const MeterBatches& meters, double threshold) {
 }
 
 namespace {
+
+// Of one meter least, largest and mean are the same number, and so are their intervals.
+void add_interval_of_one(const MeterBatches& meter, ups_meter_statistics& s) {
+  const Interval i = interval_of_one(meter);
+  s.min_low_lx = s.max_low_lx = s.percentile_5_low_lx = i.low;
+  s.min_high_lx = s.max_high_lx = s.percentile_5_high_lx = i.high;
+  if (!(s.mean_lx > 0) || s.mean_error_bound_lx > 0.5 * s.mean_lx) return;
+  s.uniformity_low = s.uniformity_high = s.diversity_low = s.diversity_high = 1;
+}
 
 void add_intervals(const MeterBatches& meters, ups_meter_statistics& s) {
   const auto positive = [](Interval i) { return Interval{std::max(0.0, i.low), std::max(0.0, i.high)}; };
@@ -363,7 +273,7 @@ void add_mean(const MeterBatches& meters, uint32_t passes, bool known, ups_meter
                noise = known ? double(error_bound(value, bias, passes, meters.means())) - offset : 0;
   const NarrowLight caustic = meters.caustic();
   s.mean_error_bound_lx = meters.unfound() + offset + std::abs(caustic.shift) + std::hypot(noise, caustic.chance);
-  if (meters.count() == 1 && meters.stated_bound() >= 0) s.mean_error_bound_lx = meters.stated_bound();
+  if (is_one(meters)) s.mean_error_bound_lx = meters.stated_bound();
 }
 
 }  // namespace
@@ -386,7 +296,11 @@ ups_meter_statistics meter_statistics(const MeterBatches& meters, uint32_t passe
   s.uniformity = s.mean_lx > 0 ? s.min_lx / s.mean_lx : 0;
   s.diversity = s.max_lx > 0 ? s.min_lx / s.max_lx : 0;
   add_mean(meters, passes, known, s);
-  if (meters.used() >= min_batches_of_interval) add_intervals(meters, s);
+  if (meters.used() < min_batches_of_interval) return s;
+  if (is_one(meters))
+    add_interval_of_one(meters, s);
+  else
+    add_intervals(meters, s);
   return s;
 }
 

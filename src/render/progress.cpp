@@ -16,7 +16,13 @@ double normal_cumulative(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0))
 
 void ProgressEstimate::add_iterations(double iterations, double elapsed_s) {
   iterations_ = iterations;
-  elapsed_s_ = elapsed_s;
+  elapsed_s_ = now_s_ = elapsed_s;
+  update();
+}
+
+void ProgressEstimate::set_rest(double seconds, double elapsed_s) {
+  rest_s_ = seconds;
+  now_s_ = elapsed_s;
   update();
 }
 
@@ -51,14 +57,15 @@ void ProgressEstimate::update() {
     left = std::max(left, 0.0);
     remaining = remaining < 0 ? left : std::min(remaining, left);
   };
-  if (limits_.time_s > 0) consider(limits_.time_s - elapsed_s_);
-  if (limits_.iterations > 0 && iterations_ > 0) consider(seconds * (limits_.iterations - iterations_));
+  const auto consider_iterations = [&](double end) { consider(std::max(0.0, seconds * (end - iterations_)) + rest_s_); };
+  if (limits_.time_s > 0) consider(limits_.time_s - now_s_);
+  if (limits_.iterations > 0 && iterations_ > 0) consider_iterations(limits_.iterations);
   // Where it has passed before its look was taken, that may still tell of another.
   const bool is_ahead = end_ > iterations_ || target_is_met();
   if (end_ > 0 && is_ahead && iterations_ > 0 && seconds * end_ < prediction_horizon_s)
-    consider(seconds * (end_ - iterations_));
+    consider_iterations(end_);
   remaining_s_ = remaining;
-  if (remaining >= 0 && elapsed_s_ > 0) fraction_ = std::max(fraction_, elapsed_s_ / (elapsed_s_ + remaining));
+  if (remaining >= 0 && now_s_ > 0) fraction_ = std::max(fraction_, now_s_ / (now_s_ + remaining));
 }
 
 }  // namespace ups

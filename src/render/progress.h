@@ -41,6 +41,8 @@ class ProgressEstimate {
   double start_s() const { return start_s_; }
   void add_iterations(double iterations, double elapsed_s);
   double seconds_per_iteration() const { return iterations_ > 0 ? (elapsed_s_ - start_s_) / iterations_ : 0; }
+  // What is left to do after the iterations, within the time limit.
+  void set_rest(double seconds, double elapsed_s);
   // The error after so many iterations, at a look of the rule's or at the render's end, which the prediction, if any,
   // has taken in. The same iterations are added before or later. error: -1: not known yet.
   void add_look(double iterations, double error, const Prediction* prediction);
@@ -59,7 +61,7 @@ class ProgressEstimate {
 
   const Limits limits_;
   const TargetRule rule_;
-  double start_s_ = 0, elapsed_s_ = 0, iterations_ = 0;
+  double start_s_ = 0, elapsed_s_ = 0, iterations_ = 0, now_s_ = 0, rest_s_ = 0;
   double look_ = 0, next_look_ = 0;
   double end_ = 0;  // by the target, in iterations; 0: not known
   uint32_t passed_ = 0;

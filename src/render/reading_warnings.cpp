@@ -12,6 +12,8 @@ namespace {
 
 // Of exact light, the share that what was not found by chance may be without a word.
 constexpr double negligible = 0.01;
+// Of a set, the share of meters with heavy tails that is no chance: of Gaussian batches 1 in 1000 has such a kurtosis.
+constexpr double many = 0.05;
 
 std::string listed(const std::vector<size_t>& meters) {
   constexpr size_t most = 5;
@@ -20,15 +22,25 @@ std::string listed(const std::vector<size_t>& meters) {
   return meters.size() > most ? text + ", ..." : text;
 }
 
-template <class Holds>
+// what: of so many meters.
+template <class Holds, class What>
 std::string line(uint32_t set_id, const MeterSet& all, const MeterSetReading& set, const Holds& holds,
-                 const char* what) {
+                 const What& what) {
   std::vector<size_t> meters;
   for (size_t m = 0; m < set.meters.size(); ++m)
     if (holds(set.flags[m], set.meters[m])) meters.push_back(all.number(m));
   if (meters.empty()) return {};
   return "meters " + std::to_string(set_id) + ": " + std::to_string(meters.size()) + " of " +
-         std::to_string(set.meters.size()) + " (indices " + listed(meters) + ") " + what + "\n";
+         std::to_string(set.meters.size()) + " (indices " + listed(meters) + ") " + what(meters.size()) + "\n";
+}
+
+// Rare bright light that many meters of a set have met is there for the others, too.
+std::string unreliable(size_t meters, size_t of) {
+  std::string text = "have unreliable intervals: a few bright paths made much of what was found";
+  if (meters < of && double(meters) > many * double(of))
+    text += ", and the others may only have been spared such paths so far";
+  text += "; see ups_result_read_meter_flags";
+  return text;
 }
 
 }  // namespace
@@ -39,15 +51,16 @@ std::string reading_warnings(uint32_t set_id, const MeterSet& meters, const Mete
              [](uint32_t flags, const ups_meter_reading& r) {
                return (flags & UPS_READING_FEW_PATHS) && r.error_bound_lx > negligible * double(r.illuminance_lx);
              },
-             "have light that no path or too few have found: their standard errors are -1, their bounds those of the "
-             "rule of three") +
+             [](size_t) {
+               return "have light that no path or too few have found: their standard errors are -1, their bounds those "
+                      "of the rule of three";
+             }) +
          line(
              set_id, meters, set,
              [](uint32_t flags, const ups_meter_reading&) {
                return (flags & (UPS_READING_SINGLE_PATH | UPS_READING_HEAVY_TAIL)) != 0;
              },
-             "have unreliable intervals: a few bright paths made much of what was found; see "
-             "ups_result_read_meter_flags");
+             [&](size_t count) { return unreliable(count, set.meters.size()); });
 }
 
 std::string blur_notice(uint32_t camera_id, const ImageReading& image) {

@@ -53,17 +53,17 @@ struct Spread {
 };
 // Of batch sums with counts that differ by one at the most.
 template <class T>
-Spread spread(const T* sums, uint32_t samples, size_t stride = 1) {
+Spread spread(const T* sums, uint32_t samples) {
   const uint32_t used = std::min(samples, batch_count);
   Spread s;
   double total = 0;
-  for (uint32_t b = 0; b < used; ++b) total += sums[b * stride];
+  for (uint32_t b = 0; b < used; ++b) total += sums[b];
   s.mean = samples ? total / samples : 0;
   if (used < min_batches) return s;
   double square = 0;
   for (uint32_t b = 0; b < used; ++b) {
     const double n = visits_of_batch(samples, b);
-    const double d = sums[b * stride] / n - s.mean;
+    const double d = sums[b] / n - s.mean;
     square += n * d * d;
   }
   s.standard_error = std::sqrt(square / (double(samples) * (used - 1)));

@@ -95,8 +95,8 @@ MeterLight VectorLight::length(LightPart part) const {
   return out;
 }
 
-ups_meter_reading VectorLight::reading() const {
-  ups_meter_reading r = length(whole_light).reading();
+ups_meter_reading VectorLight::reading(const MeterLight& length) const {
+  ups_meter_reading r = length.reading();
   if (r.illuminance_lx < 0) return r;
   r.direct_lx = float(ups::length(vector(direct_light)));
   r.indirect_lx = float(ups::length(vector(indirect_light)));

@@ -18,8 +18,8 @@ class VectorLight {
   // The vector's length as a meter's light, or that of the direct or the indirect light's own vector: what lies along
   // it, and as bias also what noise across it adds to a length.
   MeterLight length(LightPart part) const;
-  // Its reading and parts: lengths all of them.
-  ups_meter_reading reading() const;
+  // Its reading and parts: lengths all of them. length: that of whole_light.
+  ups_meter_reading reading(const MeterLight& length) const;
   ups_meter_part_reading part(ups_light_part part) const;
   std::array<ups_vector_part_reading, 3> components() const;  // by ups_light_part
 

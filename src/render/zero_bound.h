@@ -47,10 +47,10 @@ struct ChanceLight {
 
 // Batches are all there is to count by.
 template <class T>
-ChanceLight chance_light(const T* sums, uint32_t samples, size_t stride = 1) {
+ChanceLight chance_light(const T* sums, uint32_t samples) {
   ChanceLight c;
   for (uint32_t b = 0; b < std::min(samples, batch_count); ++b)
-    if (const double sum = double(sums[b * stride]); sum > 0) {
+    if (const double sum = double(sums[b]); sum > 0) {
       ++c.batches;
       c.largest_batch = std::max(c.largest_batch, sum);
     }

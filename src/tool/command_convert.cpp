@@ -31,6 +31,10 @@ std::vector<std::string> losses(const ProfileReport& in, const ProfileReport& ou
   if (!in.tilt_table.empty() && out.tilt_table.empty()) tell("the TILT table is lost");
   if (!same_opening(in.info, out.info))
     tell("the opening, " + opening_text(in.info) + ", is written as " + opening_text(out.info));
+  if (in.is_eulumdat() != out.is_eulumdat() && in.info.c_count > 1)
+    tell(std::string("C planes keep their numbers, though customs differ: its data sheet takes ") +
+         (out.is_eulumdat() ? "C90 and not C0" : "C0 and not C90") +
+         " as an outdoor luminaire's front, and turns the UGR table likewise");
   if (in.info.lamp_set_count > 1 && out.info.lamp_set_count < in.info.lamp_set_count)
     tell(format("of %u lamp sets one is written", in.info.lamp_set_count));
   return lost;

@@ -1,4 +1,5 @@
 // ups render: loads a scene, renders it as a job that Ctrl-C can stop, prints and writes what it found.
+#include <algorithm>
 #include <iterator>
 #include <optional>
 
@@ -58,6 +59,27 @@ RenderReport report_of(const RenderOptions& options, const LoadedScene& scene, c
   return report;
 }
 
+// Warnings of what was asked for and has no effect: options of files that nothing writes, of images that nobody takes.
+std::vector<std::string> idle_options(const RenderOptions& options, const LoadedScene& scene) {
+  std::vector<std::string> idle;
+  const auto tell = [&](bool is_asked, const char* option, const char* why) {
+    if (is_asked) idle.push_back(std::string(option) + " has no effect: " + why);
+  };
+  if (options.out.empty()) {
+    constexpr const char* no_files = "without --out no file is written";
+    tell(options.desc.technique_images > 0, "--technique-images", no_files);
+    tell(options.desc.separation != UPS_SEPARATE_NOTHING, "--separate", no_files);
+    tell(options.picture.smooth, "--smooth", no_files);
+    tell(options.picture.ev100.has_value(), "--exposure", no_files);
+    tell(options.map != MapStyle(), "--map-...", no_files);
+  }
+  const bool has_camera = std::any_of(scene.sensors.begin(), scene.sensors.end(), [](const SensorEntry& s) {
+    return s.info.kind == SensorKind::camera;
+  });
+  tell(options.width > 0 && !has_camera, "--size", "the scene has no camera");
+  return idle;
+}
+
 // The pictures on it are the files that were written; none where one could not be.
 std::string page_of(const RenderOptions& options, const LoadedScene& scene, const ups_result* result,
                     const Report& report, const Targets* targets, const Written& written) {
@@ -97,6 +119,7 @@ int render(const RenderOptions& options) {
   if (!options.out.empty())
     written = write_outputs(options.out, scene, finished.result.get(), options.map, options.picture);
   append_once(report.warnings, written.warnings);
+  append_once(report.warnings, idle_options(options, scene));
   if (options.report)
     attempt(written, options.out + "/report.html", [&](const std::string& path) {
       const std::string page =

@@ -254,6 +254,22 @@ TEST(Accuracy, TargetsOfPixels) {
   }
 }
 
+// Where nothing is left to chance rounding alone has errors, and the meter that is told has the largest of them.
+TEST(Accuracy, TheLargestErrorIsOfItsMeterWhereAllIsExact) {
+  Scene scene;
+  scene.add(box({0, 0, 0}, {4, 3, 2.6}).flipped(), matte(0));
+  scene.add_spot({3, 1.5, 2.5}, {0, 0, -1}, 1000, 0.3, 1.2);
+  scene.add_meters({{0.2, 0.2, 0.75}, {3, 1.5, 0.75}}, {0, 0, 1});  // the first is in the dark
+  check(ups_scene_commit(scene.get()), "ups_scene_commit");
+  const Outcome o = render(scene, [](ups_render_desc& d) { d.iteration_count = 40; });
+  ups_largest_error worst{};
+  worst.struct_size = sizeof worst;
+  check(ups_result_get_largest_error(o.result.get(), &worst), "ups_result_get_largest_error");
+  EXPECT_GT(worst.relative_error, 0);
+  EXPECT_LT(worst.relative_error, 1e-3);
+  EXPECT_EQ(worst.index, 1u);
+}
+
 // An image of which each iteration visits a third: its error is looked at, and its render ends, by visits of all
 // pixels.
 TEST(Accuracy, VisitsOfManyPixelsCount) {

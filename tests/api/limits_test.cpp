@@ -268,5 +268,26 @@ TEST_F(Limits, FluxIsCountedWhereItIsAskedFor) {
   expect_error(render(d), UPS_ERROR_INVALID_ARGUMENT, {"flux_paths", "16777216"});
 }
 
+// 2^24 paths take seconds on any machine; a fifth of the limit is theirs. (All of it was kept for them once, and one
+// iteration was left.) They are fewer then, and say so by their error.
+TEST_F(Limits, FluxLeavesTheIterationsTheirTime) {
+  add_meters(16);
+  EXPECT_OK(ups_scene_commit(scene));
+  auto d = of_iterations(UPS_METHOD_PATH_TRACING, 0);
+  d.time_limit_s = 1;
+  ASSERT_EQ(render(d), UPS_OK) << ups_last_error();
+  const uint32_t without = info().iterations;
+  d.flux_paths = 1u << 24;
+  ASSERT_EQ(render(d), UPS_OK) << ups_last_error();
+  const ups_result_info i = info();
+  RecordProperty("iterations", int(i.iterations));
+  RecordProperty("iterations_without", int(without));
+  EXPECT_GT(without, 20u) << "or the test shows nothing";
+  EXPECT_GT(i.iterations, 0.1 * without) << "0.8 where nothing else runs";
+  EXPECT_GT(i.absorbed_flux_lm, 0);
+  EXPECT_NEAR(i.absorbed_flux_lm + i.escaped_flux_lm, i.emitted_flux_lm,
+              4 * i.flux_balance_standard_error_lm + 1e-5 * i.emitted_flux_lm);
+}
+
 }  // namespace
 }  // namespace ups_test

@@ -44,6 +44,31 @@ TEST_F(Sources, WithoutSeparationThereAreNone) {
                {"source 0", "separation"});
 }
 
+// All its fields: a part's is the length of that part's own vector, and never below 0. A wall that shines back on the
+// meter from the lamp's other side has these lie apart.
+TEST_F(Sources, OneSourcesVectorsAreThoseOfAllLight) {
+  auto vectors = make(&ups_meter_desc_init);
+  const double between[3] = {0.5, 0.5, 0.2};
+  vectors.count = 1, vectors.positions_m = between, vectors.normals = up, vectors.kind = UPS_METER_VECTOR;
+  ups_sensor_id at{};
+  EXPECT_OK(ups_scene_add_meters(scene, &vectors, &at));
+  auto floor = make(&ups_instance_desc_init);
+  floor.mesh = mesh;
+  floor.to_world[11] = -0.1;
+  ups_instance_id below{};
+  EXPECT_OK(ups_scene_add_instance(scene, &floor, &below));
+  EXPECT_OK(ups_scene_commit(scene));
+  desc.separation = UPS_SEPARATE_LUMINAIRES, desc.method = UPS_METHOD_UPS, desc.iteration_count = 32;
+  render();
+  ups_meter_reading all{}, source{};
+  EXPECT_OK(ups_result_read_meters(result, at, &all, 1));
+  EXPECT_OK(ups_result_read_source_meters(result, 0, at, &source, 1));
+  EXPECT_GT(all.indirect_lx, 0.01f * all.direct_lx) << "or the test shows nothing";
+  EXPECT_NEAR(source.illuminance_lx, all.illuminance_lx, 1e-4f * all.illuminance_lx);
+  EXPECT_NEAR(source.direct_lx, all.direct_lx, 1e-4f * all.direct_lx);
+  EXPECT_NEAR(source.indirect_lx, all.indirect_lx, 1e-3f * all.indirect_lx);
+}
+
 TEST_F(Sources, WrongArgumentsAreNamed) {
   desc.separation = 3;
   ups_result* none = nullptr;

@@ -27,6 +27,29 @@ struct Room {
   Result render(uint32_t iterations = 64) { return scene.render({.iterations = iterations, .light_paths = 1u << 12}); }
 };
 
+// Also of an observer's eye.
+TEST(Statistics, OfOneMeterAreItsReading) {
+  Room room;
+  const Sensor one = room.scene.add_meters({{1, 1, 0.75}}, {0, 0, 1});
+  const Result r = room.render();
+  const ups_meter_reading m = r.readings(one)[0];
+  const ups_meter_statistics s = r.statistics(one);
+  ASSERT_GT(m.error_bound_lx, 0.001f * m.illuminance_lx) << "or the test shows nothing";
+  const double low = double(m.illuminance_lx) - double(m.error_bound_lx),
+               high = double(m.illuminance_lx) + double(m.error_bound_lx), near = 1e-5 * high;
+  for (const double value : {s.mean_lx, s.min_lx, s.max_lx, s.percentile_5_lx})
+    EXPECT_NEAR(value, double(m.illuminance_lx), near);
+  for (const double end : {s.min_low_lx, s.max_low_lx, s.percentile_5_low_lx}) EXPECT_NEAR(end, low, near);
+  for (const double end : {s.min_high_lx, s.max_high_lx, s.percentile_5_high_lx}) EXPECT_NEAR(end, high, near);
+  for (const double one_of_two : {s.uniformity, s.uniformity_low, s.uniformity_high, s.diversity, s.diversity_low,
+                                  s.diversity_high})
+    EXPECT_EQ(one_of_two, 1);
+  ups_interval median{};
+  check(ups_result_get_meter_percentile(r.get(), one.id, 0.5, &median), "ups_result_get_meter_percentile");
+  EXPECT_NEAR(median.low, low, near);
+  EXPECT_NEAR(median.high, high, near);
+}
+
 using Read = ups_status (*)(const ups_result*, ups_sensor_id, double, ups_interval*);
 ups_interval ask(Read read, const Result& r, const Sensor& s, double at) {
   ups_interval i{};

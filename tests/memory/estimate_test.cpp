@@ -53,6 +53,11 @@ void many_meters(Scene& s) {
   add_office(s, 8);
   s.add_meters(grid(400, 250, 0.5, 0.5, 0.02, 0.75), {0, 0, 1});
 }
+void many_vectors(Scene& s) {
+  s.set_meter_kind(UPS_METER_VECTOR);
+  add_office(s, 8);
+  s.add_meters(grid(100, 100, 0.5, 0.5, 0.07, 0.75), {0, 0, 1});
+}
 void million_meters(Scene& s) {
   add_office(s, 8);
   const int rows = low_effort() ? 250 : 1000;  // the thread sanitizer takes four times the memory beside it
@@ -97,6 +102,7 @@ const Case cases[] = {
     {"layers", layered_camera, [](auto& d) { by_ups(d), d.iteration_count = 8; }},
     {"technique_images", small_camera, [](auto& d) { by_ups(d), d.technique_images = 5, d.iteration_count = 6; }},
     {"meters_1e5", many_meters, automatic},
+    {"vectors_1e4", many_vectors, [](auto& d) { d.method = UPS_METHOD_PATH_TRACING; }},
     {"meters_1e6", million_meters, [](auto& d) { d.iteration_count = low_effort() ? 16 : 64; }, true},
     {"sources_100", many_sources, tell_sources},
     {"sources_100_by_ups", many_sources, [](auto& d) { by_ups(d), tell_sources(d); }},

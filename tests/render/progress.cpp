@@ -59,8 +59,6 @@ TEST(Progress, TellsATargetThatIsMetAtOnce) {
   EXPECT_NEAR(all[15].fraction, 0.5, 0.01);
 }
 
-// Without noise in the looks the end is known from the first one, to the steps between looks: 1.25, and the deviation
-// that looks are taken to have. From there on the time left falls by what passes, and never rises.
 // Looks may be late: an expected end that passes before its look is no end yet.
 TEST(Progress, AnEndThatPassesBeforeItsLookIsNoneYet) {
   ProgressEstimate estimate({0, 0, 0.05});
@@ -79,6 +77,8 @@ TEST(Progress, AnEndThatPassesBeforeItsLookIsNoneYet) {
   EXPECT_LT(estimate.fraction(), 1);
 }
 
+// Without noise in the looks the end is known from the first one, to the steps between looks: 1.25, and the deviation
+// that looks are taken to have. From there on the time left falls by what passes, and never rises.
 TEST(Progress, TimeLeftFallsAsTimePasses) {
   for (const double target : {0.1, 0.03, 0.01}) {
     const std::vector<Told> all = run({0, 0, target}, 0.5, 0, 1);
@@ -120,6 +120,28 @@ TEST(Progress, LimitsOfTimeAndIterations) {
   for (const Told& t : run({100, 50, 0}, 1, 0, 1, 50)) {
     ASSERT_NEAR(t.fraction, t.iterations / 50, 1e-9);
     ASSERT_NEAR(t.remaining_s, (50 - t.iterations) * second_an_iteration, 1e-9);
+  }
+}
+
+// Paths that book flux after the last iteration: nothing is over before they are, but by the time limit.
+TEST(Progress, TellsWhatComesAfterTheIterations) {
+  for (const double limit : {0.0, 100.0, 0.75}) {
+    ProgressEstimate estimate({limit, 50, 0});
+    double fraction = 0;
+    for (int n = 1; n <= 50; ++n) {
+      estimate.add_iterations(n, n * second_an_iteration);
+      estimate.set_rest(0.5, n * second_an_iteration);
+      const double left = std::min(limit > 0 ? limit : 1, 1.0) - n * second_an_iteration;
+      ASSERT_NEAR(estimate.remaining_s(), left, 1e-9);
+    }
+    for (double rest = 0.4; rest > -0.01; rest -= 0.1) {
+      estimate.set_rest(rest, 1 - rest);
+      EXPECT_NEAR(estimate.remaining_s(), std::max(0.0, std::min(rest, limit > 0 ? limit - 1 + rest : 1)), 1e-9);
+      EXPECT_GE(estimate.fraction(), fraction);
+      fraction = estimate.fraction();
+    }
+    EXPECT_NEAR(fraction, 1, 1e-9);
+    EXPECT_NEAR(estimate.seconds_per_iteration(), second_an_iteration, 1e-9);
   }
 }
 

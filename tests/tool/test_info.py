@@ -563,6 +563,15 @@ class Convert(test_program.ProgramTest):
         self.assertEqual(told(ball, "b.ies"), [])
         self.assertEqual(told(self.write("lamp.ies", LAMBERTIAN), "c.ldt"), [])
 
+    def test_customs_of_planes_are_told(self):
+        """The data sheet's front is another plane of the other format (the light itself stays where it was)."""
+        source = os.path.join(DATA, "s08_typeC_asym.ies")
+        told = [self.run_program("convert", *files).stderr for files in
+                ((source, self.path("a.ldt")), (self.path("a.ldt"), self.path("b.ies")), (source, self.path("c.ies")))]
+        self.assertIn("a.ldt: C planes keep their numbers, though customs differ: its data sheet takes C90 and not C0", told[0])
+        self.assertIn("b.ies: C planes keep their numbers, though customs differ: its data sheet takes C0 and not C90", told[1])
+        self.assertNotIn("customs", told[2])
+
     def test_light_that_parts_is_told(self):
         # A patch of 0.2 degrees far off the axis, which no step of 0.05 degrees of C and gamma follows.
         patch = self.write("patch.ies", "IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n1 -1 1 2 2 2 2 0 0 0\n1 1 10\n"

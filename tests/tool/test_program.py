@@ -397,6 +397,21 @@ class Render(ProgramTest):
             self.assertEqual([w.startswith(f'material {number} "Glass": ') for w in told], [True], msg=warnings)
         self.assertTrue(any('"Glass"' in line for line in info["techniques"] + info["effects"]), msg=info)
 
+    def test_options_without_effect_are_told(self):
+        idle = ["--technique-images", 2, "--separate", "luminaires", "--smooth", "--exposure", 5, "--map-scale", "log"]
+        told = [w for w in self.render("--iterations", 1, *idle)["warnings"] if "no effect" in w]
+        self.assertEqual([w.split(" ")[0] for w in told],
+                         ["--technique-images", "--separate", "--smooth", "--exposure", "--map-..."], msg=told)
+        self.assertTrue(all("--out" in w for w in told), msg=told)
+        used = self.render("--iterations", 1, "--out", self.path("used"), "--size", "8x8", *idle)["warnings"]
+        self.assertFalse([w for w in used if "no effect" in w], msg=used)
+        scene = room()
+        for node in scene["nodes"]:
+            if node.pop("camera", None) is not None:
+                node.pop("extras", None)
+        warnings = self.render("--iterations", 1, "--size", "8x8", scene=scene)["warnings"]
+        self.assertIn("--size has no effect: the scene has no camera", warnings)
+
     def test_choice(self):
         eye = ["emitter_hit", "light_sample"]
         asked = self.render("--method", "ups", "--iterations", 4, "--light-paths", 4096)["choice"]

@@ -25,13 +25,11 @@ std::vector<float> planes_of(ups_profile_symmetry symmetry) {
   return planes;
 }
 
-bool is_eulumdat(const ProfileReport& report) { return report.format.rfind("EULUMDAT", 0) == 0; }
-
 }  // namespace
 
 DataSheet data_sheet_of(const ProfileReport& report, const ups_profile* profile) {
   DataSheet s{};
-  s.front_c_deg = is_eulumdat(report) ? 90 : 0;
+  s.front_c_deg = report.is_eulumdat() ? 90 : 0;
   s.sheet.struct_size = sizeof s.sheet;
   check(ups_profile_get_data_sheet(profile, s.front_c_deg, &s.sheet));
   if (report.info.flux_lm > 0 && report.info.interpolated_flux_lm > 0) {

@@ -68,6 +68,7 @@ struct MapStyle {
   bool cells = false;         // each cell in one colour, without what lies between the values
   double width = 680;         // of the drawing, units; 680 units are 180 mm
   double most_height = 560;  // half a page of A4
+  bool operator==(const MapStyle&) const = default;
 };
 
 // Whether a scale can have these ends: colours and numbers along it must differ.

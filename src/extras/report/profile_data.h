@@ -48,6 +48,7 @@ struct ProfileReport {
   bool is_lit(const ups_profile_beam& plane) const { return plane.peak_cd > dark * info.peak_cd; }
   static constexpr double dark = 0.001;  // of the peak: less in a whole plane is rounding or a table's dust, no beam
   bool has_luminance() const { return info.opening_shape != UPS_OPENING_POINT; }
+  bool is_eulumdat() const { return format.rfind("EULUMDAT", 0) == 0; }
 };
 ProfileReport make_report(const std::string& file, const ups_profile* profile);
 
