@@ -93,7 +93,7 @@ void commit_scene(LoadedScene& loaded, const std::string& path) {
   for (const std::string& line : lines_of(read_text([&](char* to, size_t capacity, size_t* needed) {
          return ups_scene_get_text(scene, UPS_SCENE_TEXT_WARNINGS, to, capacity, needed);
        })))
-    append_once(loaded.warnings, {for_people(loaded, line)});
+    if (!is_told(loaded.warnings, line)) append_once(loaded.warnings, {for_people(loaded, line)});
 }
 
 LoadedScene load_scene(const std::string& path, const SceneOptions& options) {

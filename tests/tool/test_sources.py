@@ -100,7 +100,8 @@ class SourcesTest(unittest.TestCase):
         scene = two_lights()
         lamp = {"luminaire": {"file": "odd.ies"}}
         scene["nodes"][1] = {"translation": [1, 2, -0.5], "rotation": test_program.UP, "extras": {"ups": lamp}}
-        scene["nodes"][5] = {"translation": [0, 2, -0.5], "rotation": test_program.UP, "extras": {"ups": lamp}}
+        scene["nodes"][5] = {"name": "Lamp", "translation": [0, 2, -0.5], "rotation": test_program.UP,
+                             "extras": {"ups": lamp}}
         run = self.render(scene)
         self.assertEqual(run.returncode, 0, run.stderr)
         warnings = json.loads(run.stdout)["warnings"]

@@ -165,7 +165,8 @@ Report make_report(const std::string& scene_name, const LitScene& scene, const u
   };
   append_once(report.warnings, scene.warnings);
   for (const auto& lines : {text(UPS_TEXT_WARNINGS), text(UPS_TEXT_DROPPED)})
-    for (const std::string& line : lines) append_once(report.warnings, {for_people(scene, line)});
+    for (const std::string& line : lines)
+      if (!is_told(report.warnings, line)) append_once(report.warnings, {for_people(scene, line)});
   for (size_t i = 0; i < scene.sensors.size(); ++i) add_sensor(report, scene, i, result, questions);
   report.ratios = read_ratios(scene, result, questions);
   for (const SourceEntry& source : sources_of(scene, result))

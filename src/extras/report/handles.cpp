@@ -5,10 +5,7 @@
 #include <string_view>
 
 namespace ups::report {
-namespace {
 
-// What is wrong with a photometric file the import tells of the file, "a.ies: ...", and the commit of whoever has it,
-// "luminaire 2: ...", "luminaires 1 and 2: ...".
 bool is_told(const std::vector<std::string>& lines, const std::string& line) {
   const size_t colon = line.find(": ");
   const bool of_luminaire =
@@ -19,8 +16,6 @@ bool is_told(const std::vector<std::string>& lines, const std::string& line) {
                             told.compare(told.size() - rest.size(), rest.size(), rest) == 0);
   });
 }
-
-}  // namespace
 
 std::string without_functions(const std::string& message) {
   constexpr std::string_view prefix = "ups_", end = ": ";

@@ -68,6 +68,9 @@ Info sized() {
 
 std::vector<std::string> lines_of(const std::string& text);  // without empty ones
 
+// Of a line of the core, as it is: what is wrong with a photometric file the import tells of the file, "a.ies: ...", and
+// the commit of whoever has it, "luminaire 2: ...", "luminaires 1 and 2: ...".
+bool is_told(const std::vector<std::string>& lines, const std::string& line);
 void append_once(std::vector<std::string>& to, const std::vector<std::string>& lines);
 
 }  // namespace ups::report
