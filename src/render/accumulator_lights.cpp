@@ -111,7 +111,11 @@ std::vector<MeterLight> Accumulator::lights_of(size_t set, const Choices& discs,
     for (size_t m = 0; m < count; ++m) {
       Spread bias = pooled_bias(own[of][m], neighbours[m], count), &all = lights[m].bias;
       const double edge = discs[of].empty() ? 0 : profiles.edge(m, discs[of][m]);
-      if (!discs[of].empty()) bias = profiles.added_to(bias, m, discs[of][m], edge);
+      if (!discs[of].empty()) {
+        const bool alone = !neighbours[m].tell() && !own[of][m].is_beyond_doubt(count);
+        if (alone) bias = profiles.instead_of(bias, m, discs[of][m]);
+        bias = profiles.added_to(bias, m, discs[of][m], edge);
+      }
       if (of == other_light) {
         all = bias;
       } else if (own[of][m].lx > 0 && bias.standard_error >= 0 && all.standard_error >= 0) {

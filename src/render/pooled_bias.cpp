@@ -29,6 +29,11 @@ bool alike(const OwnBias& a, const OwnBias& b) {
   return share(b) <= 2.1 * share(a) && share(a) <= 2.1 * share(b);
 }
 
+StepBias mean_of(const std::array<StepBias, 2>& halves) {
+  const auto& [a, b] = halves;
+  return {0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance), 0.5 * (a.told_variance + b.told_variance)};
+}
+
 // between: so many standard deviations of chance, of the chi-square that tells of it, more than estimated.
 Pooled pool(const std::vector<Estimate>& all, double more) {
   // pairs: w^2 less the squares' sum, over 2, without the difference: a meter whose photons cancel to rounding
@@ -163,15 +168,33 @@ double NeighbourProfiles::edge(size_t m, const MeterRings::Choice& discs) const 
   return std::hypot(bias_by_edge(m, discs[0]), bias_by_edge(m, discs[1])) / std::sqrt(2.0) * meters_[m].lx;
 }
 
+std::array<StepBias, 2> NeighbourProfiles::stated(size_t m, const MeterRings::Choice& discs) const {
+  return {bias(m, meters_[m], discs[0], to_state), bias(m, meters_[m], discs[1], to_state)};
+}
+
+// One meter in a few hundred takes a narrow disc by chance. Its few photons know little of how light goes on within it;
+// the neighbours, who took wide ones, have photons on discs of that size, too. A meter that differs from them is seldom
+// told from one that does not: so it may, by twice what they leave open, and keeps its own where that is far off.
+Spread NeighbourProfiles::instead_of(const Spread& own, size_t m, const MeterRings::Choice& discs) const {
+  const double lx = meters_[m].lx;
+  if (!(lx > 0)) return own;
+  const std::array<StepBias, 2> halves = stated(m, discs);
+  if (!(halves[0].variance() > 0) || !(halves[1].variance() > 0)) return own;
+  const StepBias steps = mean_of(halves);
+  const double told = steps.variance() * lx * lx, of_own = own.standard_error * own.standard_error,
+               apart = own.mean - steps.mean * lx;
+  if (apart * apart > 4 * (told + of_own)) return own;
+  const double share = 4 * told / (4 * told + of_own);
+  return {share * own.mean + (1 - share) * steps.mean * lx, std::sqrt(share * of_own)};
+}
+
 // What the meter may differ from its neighbours in stands for twice its standard error, 95 %: a bound counts it once.
 // Profiles are of what lands on the disc alone: a bias beyond doubt, which holds what eye paths merge farther on, stays
 // where they show less.
 Spread NeighbourProfiles::added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs, double edge) const {
   const RingProfile& own = meters_[m];
   if (!(own.lx > 0)) return bias;
-  const StepBias a = this->bias(m, own, discs[0], to_state), b = this->bias(m, own, discs[1], to_state);
-  const StepBias both{0.5 * (a.mean + b.mean), 0.5 * (a.own_variance + b.own_variance),
-                      0.5 * (a.told_variance + b.told_variance)};
+  const StepBias both = mean_of(stated(m, discs));
   const bool more = std::abs(bias.mean) > std::max(2 * bias.standard_error, std::abs(both.mean) * own.lx);
   if (both.is_beyond(2) && !more)
     return {both.mean * own.lx, std::max(std::sqrt(both.variance()) * own.lx, edge)};

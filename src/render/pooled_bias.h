@@ -36,6 +36,8 @@ class NeighbourProfiles {
   }
   // lx; how far the discs of both halves may be off by an edge beside the meter.
   double edge(size_t m, const MeterRings::Choice& discs) const;
+  // A bias that the meter alone tells, as no neighbour took such discs: where that is in doubt, what profiles say of them.
+  Spread instead_of(const Spread& own, size_t m, const MeterRings::Choice& discs) const;
   // A bias estimated otherwise, and what profiles say of these discs; edge: theirs, at least its standard error.
   Spread added_to(const Spread& bias, size_t m, const MeterRings::Choice& discs, double edge) const;
 
@@ -48,6 +50,7 @@ class NeighbourProfiles {
   StepBias bias(size_t m, const RingProfile& own, uint32_t ring, double sure) const;
   static double caustic_lean(const RingProfile& p, uint32_t ring);
   double bias_by_edge(size_t m, uint32_t ring) const;
+  std::array<StepBias, 2> stated(size_t m, const MeterRings::Choice& discs) const;
   std::vector<RingProfile> meters_;
   double certain_;  // standard deviations of what counts, of so many meters
 };
@@ -55,8 +58,8 @@ class NeighbourProfiles {
 // Of a set's meters, in its order, in which neighbours follow each other.
 std::vector<NeighbourCurvature> neighbour_curvatures(const std::vector<OwnBias>& meters);
 
-// What is to be expected of the bias of one of so many meters when the neighbours' curvature is known; its own where that
-// is beyond doubt.
+// What is to be expected of the bias of one of so many meters when the neighbours' curvature is known; its own where it is
+// not, or where its own is beyond doubt.
 Spread pooled_bias(const OwnBias& own, const NeighbourCurvature& neighbours, size_t meters);
 
 }  // namespace ups
