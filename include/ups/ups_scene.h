@@ -33,7 +33,8 @@ typedef struct ups_material_desc {
   ups_material_model model;
   float reflectance_rgb[3], transmittance_rgb[3]; /* [0, 1], linear Rec.709; transmittance < 0: the model's default */
   float roughness;                                /* [0, 1]; GGX alpha = roughness squared */
-  float ior;                                      /* 1 to 1e6 for dielectrics; of all but GLASS against air, in
+  float ior;                                      /* 1 to 1e6 for dielectrics; of rough PLASTIC and GLASS at most
+                                                   * 3 is taken, with a warning; of all but GLASS against air, in
                                                    * glass and water too */
   float ior_rgb[3], ior_k_rgb[3];                 /* METAL's complex index, <= 1e6; all k 0: reflectance is F0 */
   float absorption_per_m_rgb[3];                  /* GLASS, >= 0 */

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int mu_count = 32, alpha_count = 13, ior_count = 10;
 constexpr float min_table_alpha = 4e-4f;        // below, the scaled functions no longer change
-constexpr float min_ior = 1.001f, max_ior = 3;  // beyond: as for max_ior
+constexpr float min_ior = 1.001f, max_ior = max_rough_ior;  // beyond: as for max_ior
 
 float mu_coordinate(float mu, float alpha) { return 0.5f * (std::sqrt(mu * (1 + alpha) / (mu + alpha)) + mu); }
 // Its inverse, by bisection: it is monotonic.

@@ -66,6 +66,7 @@ class Builder {
   const Texture* texture(ups_texture_id id);
   bool scatters_as_before(uint32_t material) const;
   void warn_of_transmittance(uint32_t number, const Material& material);
+  void limit_ior(uint32_t number, Material& material);
   void add_geometry();
   void warn_of_inside_out();
   bool is_same_instance(size_t i) const;

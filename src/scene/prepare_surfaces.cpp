@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "bsdf/albedo.h"
 #include "bsdf/fresnel.h"
 #include "scene/builder.h"
 #include "scene/check.h"
@@ -158,11 +159,22 @@ void Builder::warn_of_transmittance(uint32_t number, const Material& m) {
           check::text(double(m.ior)) + " lets through at normal incidence: " + short_text(double(clear)) + " is taken");
 }
 
+// What rough ones return is known up to there; beyond, plastic would return more light than arrives, and glass less.
+void Builder::limit_ior(uint32_t number, Material& m) {
+  const bool dielectric = m.model == MaterialModel::plastic || m.model == MaterialModel::glass;
+  if (!dielectric || m.ior <= max_rough_ior || !(m.roughness > 0)) return;
+  warn_of("material", number, "is rough and has an ior of " + check::text(double(m.ior)) + ": " +
+          check::text(double(max_rough_ior)) + " is taken, up to which it is known how much light rough PLASTIC and "
+          "GLASS return");
+  m.ior = max_rough_ior;
+}
+
 void Builder::add_materials() {
   same_surfaces_ = earlier_ && earlier_->material_numbers == out_->material_numbers;
   for (const uint32_t number : out_->material_numbers) {
     const MaterialDescription& d = in_.materials().at(number);
     Material m = make_material(d);
+    limit_ior(number, m);
     if (scatters_as_before(number)) {
       const Material& before = earlier_->materials[rank_of(earlier_->material_numbers, number)];
       m.interface_albedo = before.interface_albedo, m.conductor_average = before.conductor_average;

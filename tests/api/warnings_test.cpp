@@ -35,6 +35,7 @@ struct Room {
   Scene scene;
   Profile point, panel, strip, bulb;
   P3 at;
+  Sensor meter;
 
   explicit Room(bool inwards = true, const P3& offset = {})
       : point(profile(scene, 0, 0)), panel(profile(scene, 0.6, 0.6)), strip(profile(scene, 1.2, 0.03)),
@@ -42,7 +43,7 @@ struct Room {
     const Shape walls = box({0, 0, 0}, {w, l, h});
     add(inwards ? walls.flipped() : walls);
     luminaire(point, {1, 1, 2.5}, down);
-    scene.add_meters({P3{1.5, 1.5, 0.75} + at}, up);
+    meter = scene.add_meters({P3{1.5, 1.5, 0.75} + at}, up);
   }
   void add(const Shape& shape, const ups_material_desc& material = matte(0.5)) { scene.add(shape, material, at); }
   void luminaire(const Profile& p, const P3& position, const P3& direction) {
@@ -350,6 +351,26 @@ TEST(SceneWarnings, TransmittanceAboveThatOfAClearPane) {
   EXPECT_TRUE(tells(told(1), {"material 2", "transmittance of 1 ", "ior 1.52", "0.92 is taken"}));
   EXPECT_EQ(told(clear), "");
   EXPECT_EQ(told(-1), "");
+}
+
+// A room of rough white plastic of ior 10 returned 1.5 times the light that arrives.
+TEST(SceneWarnings, RoughnessOfAnIndexBeyondItsTables) {
+  const auto room = [](double ior, double roughness) {
+    auto room = std::make_unique<Room>();
+    auto plastic = material(UPS_MATERIAL_PLASTIC, 0.5);
+    plastic.ior = float(ior), plastic.roughness = float(roughness);
+    room->add(quad({1, 1, 1}, {1, 0, 0}, {0, 1, 0}), plastic);
+    return room;
+  };
+  EXPECT_TRUE(tells(room(10, 0.5)->warnings(), {"material 2", "rough", "ior of 10", "3 is taken"}));
+  EXPECT_EQ(room(3, 0.5)->warnings(), "");
+  EXPECT_EQ(room(10, 0)->warnings(), "");
+  const auto lx = [&](double ior) {
+    const auto lit = room(ior, 0.5);
+    lit->warnings();
+    return lit->scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 8}).readings(lit->meter)[0].illuminance_lx;
+  };
+  EXPECT_EQ(lx(10), lx(3));
 }
 
 }  // namespace
