@@ -159,7 +159,10 @@ bool ProfileOpeningEmitter::sample_emission(const Vec2& u_position, const Vec2& 
 
 bool ProfileOpeningEmitter::sample_direct(const Vec3& reference, const Vec2& u, DirectSample& out) const {
   out = {};
-  const Vec3d local = place_in_body(reference);
+  Vec3d local = place_in_body(reference);
+  // In a sheet's plane cosine and projected area vanish, their ratio does not.
+  const double nearest = body_.is_flat() ? 1e-9 * std::max(body_.half().x, body_.half().y) : 0;
+  if (std::abs(local.z) < nearest) local.z = local.z < 0 ? -nearest : nearest;
   LuminousBody::Point point;
   if (!body_.sample_seen_from(local, u, point)) return false;
   const Vec3d to_reference = local - point.p;

@@ -55,8 +55,8 @@ double lopsided(double c, double gamma) {
          (1 + 0.5 * std::sin(gamma) * std::cos(c) + 0.3 * std::sin(gamma) * std::sin(c));
 }
 
-// Meters 1000 sizes away at nodes of the file's table, so that its numbers are the references. A sheet emits nothing
-// along itself, and what grazes it is left out. The side of a body that faces a meter is nearer than the photometric
+// Meters 1000 sizes away at nodes of the file's table, so that its numbers are the references. What grazes a
+// sheet is left out. The side of a body that faces a meter is nearer than the photometric
 // centre: on the axis of the standing cylinder that makes 0.06 % (0.3 % at 200 sizes), elsewhere less; 0.1 % is
 // allowed, and the noise, which those readings hardly have, must be below 0.02 %: 4 of its 0.1 % are then 5 standard
 // errors, a false alarm below 2e-4 a reading; an error of 0.2 % is found for certain.
@@ -124,6 +124,22 @@ void expect_uniform(const std::string& ies, const Shape& shape, double luminance
     for (size_t i = 0; i < from.size(); ++i)
       expect_lx(readings[i], expected[i], quiet, std::string(method_name(method)) + ", meter " + std::to_string(i));
   }
+}
+
+// Rows of a wall's meters often are at the height of the luminaires. Sheets of every attitude, even light of 100 cd.
+TEST(Openings, InTheirPlaneIsWhatTheFileSays) {
+  for (const char* sheet : {"0.06 0.1 0", "-0.1 -0.1 0"})
+    for (const bool is_turned : {false, true}) {
+      SCOPED_TRACE(sheet);
+      Scene scene;
+      const Profile profile = parse(scene.context(), ies_text([](double, double) { return 100; }, {0}, steps(5, 180), sheet));
+      const P3 p{3, -2, 2.25};
+      const Placed at = is_turned ? turned(p) : Placed{.p = p};
+      add(scene, profile.get(), at);
+      const auto meters = scene.add_meters({p + at.x * 2, p + at.y * -2}, {at.x * -1, at.y});
+      for (const ups_meter_reading& r : scene.render({.method = UPS_METHOD_PATH_TRACING, .iterations = 16}).readings(meters))
+        EXPECT_NEAR(r.illuminance_lx, 25, 0.1);
+    }
 }
 
 TEST(Openings, NearABoxAreTheFormFactorsOfItsVisibleFaces) {
